@@ -1,0 +1,6 @@
+//! From the text of a model file to the equations of motion.
+pub mod equations;
+pub mod model;
+pub mod source;
+pub mod symbolic;
+pub mod units;
