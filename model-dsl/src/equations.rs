@@ -31,6 +31,9 @@ pub struct Equations {
     pub inputs: Vec<Input>,
     /// What defined symbols stand for, each after what it uses.
     pub definitions: Vec<Definition>,
+    /// Derivatives of defined symbols by states that are known otherwise than by differentiating
+    /// their definitions (a loop's angles, by its rate equations): to be used instead of those.
+    pub partials: Vec<Partial>,
     /// Angles whose cosine and sine are known without evaluating either: by the geometry of a loop.
     pub directions: Vec<Direction>,
     /// Continuous state, with its rates.
@@ -129,6 +132,17 @@ pub enum ShownUnit {
     Other(&'static str),
 }
 
+/// A known derivative of a defined symbol.
+#[derive(Clone, Copy, Debug)]
+pub struct Partial {
+    /// The defined symbol. All of its derivatives by states not listed are zero.
+    pub symbol: Symbol,
+    /// The symbol of the state.
+    pub state: Symbol,
+    /// ∂symbol/∂state.
+    pub value: Expr,
+}
+
 /// An angle with its cosine and sine.
 #[derive(Clone, Copy, Debug)]
 pub struct Direction {
@@ -155,6 +169,8 @@ pub struct State {
     pub initial: Expr,
     /// Its rate.
     pub rate: Expr,
+    /// Whether it belongs to the configuration (an independent coordinate), not to the motion.
+    pub is_coordinate: bool,
 }
 
 /// A discrete state.

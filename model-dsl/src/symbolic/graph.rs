@@ -422,6 +422,14 @@ impl Graph {
         if total.is_one() && collected.len() == 1 && collected[0].1.is_one() {
             return collected[0].0;
         }
+        // -(a + b) is a sum like any other: -a - b.
+        if total.abs().is_one()
+            && collected.len() == 1
+            && collected[0].1.is_one()
+            && matches!(self.node(collected[0].0), Node::Sum { .. })
+        {
+            return self.linear(Rational::zero(), &[(collected[0].0, total)]);
+        }
         self.intern(Node::Product {
             coefficient: total,
             factors: collected,
@@ -572,14 +580,17 @@ impl Graph {
         self.intern(Node::Function(function, arguments.to_vec()))
     }
 
-    /// Whether the expression starts with a minus sign when written down.
+    /// Whether the expression is rather the negative of a positive one: more of its terms are
+    /// subtracted than added. Of `a` and `-a` at most one is.
     pub fn is_written_negative(&self, a: Expr) -> bool {
         match self.node(a) {
             Node::Number(value) => value.is_negative(),
             Node::Product { coefficient, .. } => coefficient.is_negative(),
-            Node::Sum { terms, .. } => terms
-                .iter()
-                .all(|(_, coefficient)| coefficient.is_negative()),
+            Node::Sum { terms, .. } => {
+                let negative = terms.iter().filter(|(_, k)| k.is_negative()).count();
+                let positive = terms.len() - negative;
+                negative > positive || (negative == positive && terms[0].1.is_negative())
+            }
             Node::Pi | Node::Symbol(_) | Node::Function(..) => false,
         }
     }
