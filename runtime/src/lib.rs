@@ -1,4 +1,10 @@
 //! What generated simulators and the `flexure` command run on.
 
+pub mod checks;
 pub mod diagnostic;
+pub mod newton;
+pub mod dual;
+pub mod failure;
+pub mod real;
 pub mod system;
+pub mod tape;
