@@ -156,6 +156,45 @@ pub struct Waveform {
     pub value: Expr,
     /// Where the piece ends.
     pub kink: Option<WaveformKink>,
+    /// What must hold of its arguments.
+    pub conditions: Vec<Condition>,
+}
+
+/// A condition on a quantity of params that a waveform or law needs to make sense.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Positive where all is well, of params.
+    pub margin: Expr,
+    /// Whether zero is well too.
+    pub zero_is_well: bool,
+    /// The quantity, for the message: its value in SI fills the hole `{0}`.
+    pub value: Expr,
+    /// What to say where it fails.
+    pub message: String,
+    /// What would mend it.
+    pub hint: String,
+}
+
+impl Condition {
+    /// `value`, called `name` in messages, must be above zero.
+    pub fn above_zero(value: Expr, name: &str) -> Self {
+        Self {
+            margin: value,
+            zero_is_well: false,
+            value,
+            message: format!("{name} is {{0}}"),
+            hint: "it must be above zero".to_owned(),
+        }
+    }
+
+    /// `value`, called `name` in messages, must not be below zero.
+    pub fn not_below_zero(value: Expr, name: &str) -> Self {
+        Self {
+            zero_is_well: true,
+            hint: "it must not be below zero".to_owned(),
+            ..Self::above_zero(value, name)
+        }
+    }
 }
 
 /// One number that a waveform or law remembers between steps.
@@ -423,6 +462,8 @@ pub struct Friction {
     pub force: Expr,
     /// Stored energy in J.
     pub energy: Expr,
+    /// What must hold of its parameters and the force it is referred to.
+    pub conditions: Vec<Condition>,
 }
 
 /// An internal state of a friction law; zero at the start and while the contact is lifted.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use num_traits::One;
 
-use super::{Expr, Graph, Node, Rational, Symbol};
+use super::{Expr, Function, Graph, Node, Rational, Symbol};
 
 /// How symbols change: the derivative of each symbol that is not constant.
 ///
@@ -46,6 +46,26 @@ impl Graph {
                         terms.push(self.powers(&coefficient * exponent, &rest));
                     }
                     self.sum(&terms)
+                }
+                // Each branch on its own, so that one without a finite rate cannot spoil the other.
+                Node::Function(Function::IfPositive, arguments) => {
+                    let [condition, first, second] = arguments[..] else {
+                        unreachable!("three arguments")
+                    };
+                    let branches = [condition, memo[&first], memo[&second]];
+                    self.function(Function::IfPositive, &branches)
+                }
+                Node::Function(function @ (Function::Min | Function::Max), arguments) => {
+                    let [a, b] = arguments[..] else {
+                        unreachable!("two arguments")
+                    };
+                    let first_is_meant = if function == Function::Max {
+                        self.sub(a, b)
+                    } else {
+                        self.sub(b, a)
+                    };
+                    let branches = [first_is_meant, memo[&a], memo[&b]];
+                    self.function(Function::IfPositive, &branches)
                 }
                 Node::Function(function, arguments) => {
                     let mut terms = Vec::new();

@@ -210,6 +210,24 @@ impl Graph {
         self.number(BigRational::new(numerator.into(), denominator.into()))
     }
 
+    /// A finite number as its shortest decimal says it: 0.1 is a tenth. `None` if it is not finite.
+    pub fn decimal(&mut self, value: f64) -> Option<Expr> {
+        if !value.is_finite() {
+            return None;
+        }
+        let written = format!("{value:e}");
+        let (digits, exponent) = written.split_once('e')?;
+        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+        let mantissa: BigInt = format!("{whole}{fraction}").parse().ok()?;
+        let exponent = exponent.parse::<i32>().ok()? - i32::try_from(fraction.len()).ok()?;
+        let power = Pow::pow(BigInt::from(10), exponent.unsigned_abs());
+        Some(self.number(if exponent < 0 {
+            BigRational::new(mantissa, power)
+        } else {
+            BigRational::from_integer(mantissa * power)
+        }))
+    }
+
     /// 0
     pub fn zero(&mut self) -> Expr {
         self.integer(0)
