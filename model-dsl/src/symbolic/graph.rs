@@ -144,6 +144,11 @@ impl Graph {
         self.symbols.len()
     }
 
+    /// The names of all symbols in plain text, in order of their making.
+    pub fn symbol_texts(&self) -> impl Iterator<Item = &str> {
+        self.symbols.iter().map(|name| name.text.as_str())
+    }
+
     /// The symbol's name in plain text.
     pub fn symbol_text(&self, symbol: Symbol) -> &str {
         &self.symbols[symbol.index()].text
