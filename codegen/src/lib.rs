@@ -1,1 +1,27 @@
-//! Placeholder.
+//! From equations of motion to programs.
+//!
+//! ```text
+//! Equations ──program──▶ Program ──tape──▶ TapeModel      what the command runs
+//!                               ├──rust──▶ Rust tokens    what the macro gives
+//!                               ├──listing──▶ text        the stages, for people and tests
+//!                               └──dot──▶ a graph         for pictures
+//! ```
+//!
+//! The [`Program`] sorts every value by its binding time ([`Stage`]): constants are
+//! computed here, what depends on params alone once in `prepare`, the rest in each evaluation,
+//! configuration first. Everything that back ends have in common (sharing, sines from geometry,
+//! derivatives, stages) is done before they start, so that they only write down.
+
+mod assemble;
+mod directions;
+mod jacobian;
+mod lower;
+mod program;
+mod schedule;
+mod tape;
+mod values;
+
+pub use assemble::{program, unit};
+pub use program::{Check, Event, Function, Message, Name, Program, Set, Solve, Symbols};
+pub use tape::tape;
+pub use values::{Node, Stage, Value, Values};

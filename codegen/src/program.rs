@@ -1,0 +1,197 @@
+//! The staged program: what every back end reads.
+//!
+//! One arena of values ([`Values`]) serves all functions of a model; a [`Function`] is a list of
+//! results. What a function computes is what its results need of the configuration and state
+//! stages; what they need of the parameter stage is computed once by `prepare`.
+
+use std::collections::BTreeMap;
+
+use flexure_runtime::failure::Failure;
+use flexure_runtime::system::Variable;
+
+use crate::values::{Value, Values};
+
+/// A model as functions over one arena of values.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// Name of the model.
+    pub name: String,
+    /// The model's own words on itself.
+    pub doc: String,
+    /// Params, each with its default.
+    pub params: Vec<Variable>,
+    /// Named alternative values.
+    pub sets: Vec<Set>,
+    /// Rows for inputs, each with its start value.
+    pub inputs: Vec<Variable>,
+    /// Rows for continuous states.
+    pub states: Vec<Variable>,
+    /// Rows for discrete states.
+    pub discretes: Vec<Variable>,
+    /// Rows for outputs.
+    pub outputs: Vec<Variable>,
+    /// Names of params, inputs, states and discrete states as the equations write them.
+    pub symbols: Symbols,
+    /// Tables of numbers.
+    pub tables: Vec<Vec<f64>>,
+    /// All values.
+    pub values: Values,
+    /// What the equations call computed values, and what they say about them.
+    pub names: BTreeMap<Value, Name>,
+    /// Conditions on params.
+    pub checks: Vec<Check>,
+    /// Newton blocks, in order.
+    pub solves: Vec<Solve>,
+    /// Continuous states at the start.
+    pub start_states: Vec<Value>,
+    /// Discrete states at the start.
+    pub start_discretes: Vec<Value>,
+    /// Rates of the continuous states.
+    pub rhs: Function,
+    /// Entries of ∂rates/∂states, row by row, that are not zero.
+    pub jacobian: Function,
+    /// Outputs.
+    pub output_values: Function,
+    /// Kinetic and potential energy, dissipated and supplied power.
+    pub energy: Function,
+    /// Times of the next kinks.
+    pub next_kinks: Function,
+    /// For each kink the new discrete states.
+    pub pass_kink: Vec<Function>,
+    /// Event functions.
+    pub events: Function,
+    /// What events are and do.
+    pub event_rows: Vec<Event>,
+    /// Discrete states after an accepted step.
+    pub accept: Function,
+    /// Discrete states that are angles.
+    pub turning: Vec<usize>,
+    /// Closures of the loops.
+    pub closures: Function,
+    /// Names of the loops.
+    pub loop_names: Vec<String>,
+}
+
+/// Names as the equations write them: `φ1` for the state `crank.angle`.
+#[derive(Clone, Debug, Default)]
+pub struct Symbols {
+    /// Time.
+    pub time: String,
+    /// Params.
+    pub params: Vec<String>,
+    /// Inputs.
+    pub inputs: Vec<String>,
+    /// Continuous states.
+    pub states: Vec<String>,
+    /// Discrete states.
+    pub discretes: Vec<String>,
+}
+
+/// A named set of parameter values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Set {
+    /// Name.
+    pub name: String,
+    /// The user's words on it.
+    pub doc: String,
+    /// Position among the params, and value in SI.
+    pub values: Vec<(usize, f64)>,
+}
+
+/// What a value is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// As the equations write it.
+    pub text: String,
+    /// In words; may be empty.
+    pub meaning: String,
+}
+
+/// A function: positions in its result, and their values.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Function {
+    /// What is computed.
+    pub results: Vec<(u32, Value)>,
+}
+
+impl Function {
+    /// Values of the results.
+    pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
+        self.results.iter().map(|(_, value)| *value)
+    }
+}
+
+/// A condition on params.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// Positive where all is well.
+    pub margin: Value,
+    /// Whether zero is well too.
+    pub zero_is_well: bool,
+    /// What to say.
+    pub message: Message,
+}
+
+/// Something to say, with holes.
+#[derive(Clone, Debug)]
+pub struct Message {
+    /// The text.
+    pub failure: Failure,
+    /// What fills its holes.
+    pub values: Vec<Value>,
+}
+
+/// A Newton block.
+#[derive(Clone, Debug)]
+pub struct Solve {
+    /// What is sought.
+    pub name: String,
+    /// The unknowns.
+    pub unknowns: Vec<Value>,
+    /// Their names.
+    pub unknown_names: Vec<String>,
+    /// Where to start.
+    pub guesses: Vec<Value>,
+    /// Sizes of one unit of the residuals.
+    pub scales: Vec<Value>,
+    /// What must vanish.
+    pub residuals: Vec<Value>,
+    /// Its derivatives by the unknowns, row by row.
+    pub jacobian: Vec<Value>,
+    /// What to say if there is no solution.
+    pub message: Message,
+}
+
+/// An event.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its name.
+    pub name: String,
+    /// Why the run ends there, if it does.
+    pub stop: Option<String>,
+    /// New continuous states.
+    pub states: Function,
+    /// New discrete states.
+    pub discretes: Function,
+}
+
+impl Program {
+    /// Every function of time, state and inputs.
+    pub fn functions(&self) -> Vec<&Function> {
+        let mut functions = vec![
+            &self.rhs,
+            &self.jacobian,
+            &self.output_values,
+            &self.energy,
+            &self.next_kinks,
+            &self.events,
+            &self.accept,
+            &self.closures,
+        ];
+        functions.extend(&self.pass_kink);
+        for event in &self.event_rows {
+            functions.extend([&event.states, &event.discretes]);
+        }
+        functions
+    }
+}

@@ -1,0 +1,167 @@
+//! The number type of generated right-hand sides: [`f64`], and whatever computes like it.
+//!
+//! Generated code is generic over [`Real`], so that one text serves plain numbers, dual numbers
+//! ([`Dual`](crate::dual::Dual)) and, later, lanes. Nothing here branches on a value: choices are made by
+//! [`Real::if_positive`], which a lane can make for each of its entries.
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number that equations of motion can be evaluated with.
+///
+/// Every function agrees with the definition in [`impl Real for f64`](#impl-Real-for-f64), which is
+/// the one that the symbolic graph's own evaluator uses.
+pub trait Real:
+    Copy
+    + Debug
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+{
+    /// The number as a constant.
+    fn from_f64(value: f64) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Sine of an angle in rad.
+    fn sin(self) -> Self;
+    /// Cosine of an angle in rad.
+    fn cos(self) -> Self;
+    /// Sine and cosine of an angle in rad.
+    fn sin_cos(self) -> (Self, Self);
+    /// Tangent of an angle in rad.
+    fn tan(self) -> Self;
+    /// Angle in rad whose sine this is.
+    fn asin(self) -> Self;
+    /// Angle in rad whose cosine this is.
+    fn acos(self) -> Self;
+    /// Angle in rad whose tangent this is.
+    fn atan(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// e to this power.
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// -1, 0 or 1.
+    fn sign(self) -> Self;
+    /// Largest whole number not above this.
+    fn floor(self) -> Self;
+    /// Direction in rad of the vector (`x`, `self`).
+    fn atan2(self, x: Self) -> Self;
+    /// The smaller one; `other` if either is not a number.
+    fn min(self, other: Self) -> Self;
+    /// The larger one; `other` if either is not a number.
+    fn max(self, other: Self) -> Self;
+    /// This to the power `exponent`.
+    fn power(self, exponent: Self) -> Self;
+    /// This angle in rad, moved by whole turns to within half a turn of `reference`.
+    fn unwrap_to(self, reference: Self) -> Self;
+    /// `yes` where this is positive, else `no`.
+    fn if_positive(self, yes: Self, no: Self) -> Self;
+    /// The entry of `table` at this position, the nearest one outside its range.
+    fn lookup(self, table: &[f64]) -> Self;
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn sin(self) -> Self {
+        f64::sin(self)
+    }
+    #[inline(always)]
+    fn cos(self) -> Self {
+        f64::cos(self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        f64::sin_cos(self)
+    }
+    #[inline(always)]
+    fn tan(self) -> Self {
+        f64::tan(self)
+    }
+    #[inline(always)]
+    fn asin(self) -> Self {
+        f64::asin(self)
+    }
+    #[inline(always)]
+    fn acos(self) -> Self {
+        f64::acos(self)
+    }
+    #[inline(always)]
+    fn atan(self) -> Self {
+        f64::atan(self)
+    }
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        f64::tanh(self)
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        f64::exp(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        f64::ln(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn sign(self) -> Self {
+        if self > 0.0 {
+            1.0
+        } else if self < 0.0 {
+            -1.0
+        } else {
+            0.0 * self
+        }
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        f64::floor(self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        f64::atan2(self, x)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline(always)]
+    fn power(self, exponent: Self) -> Self {
+        f64::powf(self, exponent)
+    }
+    #[inline(always)]
+    fn unwrap_to(self, reference: Self) -> Self {
+        const TURN: f64 = 2.0 * std::f64::consts::PI;
+        self - TURN * ((self - reference) / TURN).round()
+    }
+    #[inline(always)]
+    fn if_positive(self, yes: Self, no: Self) -> Self {
+        if self > 0.0 { yes } else { no }
+    }
+    #[inline(always)]
+    fn lookup(self, table: &[f64]) -> Self {
+        let last = table.len().saturating_sub(1);
+        let position = (f64::max(self, 0.0) as usize).min(last);
+        table.get(position).copied().unwrap_or(f64::NAN)
+    }
+}

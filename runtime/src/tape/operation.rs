@@ -1,0 +1,121 @@
+//! The fixed set of operations that every program is made of.
+
+use crate::real::Real;
+
+macro_rules! operations {
+    ($($(#[doc = $doc:literal])* $name:ident $arity:literal $text:literal,)*) => {
+        /// An operation on one, two or three numbers.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[repr(u8)]
+        pub enum Operation {
+            $($(#[doc = $doc])* $name,)*
+        }
+
+        impl Operation {
+            /// Every operation, in declaration order.
+            pub const ALL: &[Operation] = &[$(Operation::$name,)*];
+
+            /// Number of operands.
+            pub fn arity(self) -> usize {
+                match self {
+                    $(Operation::$name => $arity,)*
+                }
+            }
+
+            /// Name in listings.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Operation::$name => $text,)*
+                }
+            }
+        }
+    };
+}
+
+operations! {
+    /// -a
+    Negate 1 "negate",
+    /// a + b
+    Add 2 "add",
+    /// a - b
+    Subtract 2 "subtract",
+    /// a · b
+    Multiply 2 "multiply",
+    /// a / b
+    Divide 2 "divide",
+    /// √a
+    Sqrt 1 "sqrt",
+    /// sin a
+    Sin 1 "sin",
+    /// cos a
+    Cos 1 "cos",
+    /// tan a
+    Tan 1 "tan",
+    /// arcsin a
+    Asin 1 "asin",
+    /// arccos a
+    Acos 1 "acos",
+    /// arctan a
+    Atan 1 "atan",
+    /// tanh a
+    Tanh 1 "tanh",
+    /// e to the power a
+    Exp 1 "exp",
+    /// ln a
+    Log 1 "log",
+    /// |a|
+    Abs 1 "abs",
+    /// -1, 0 or 1
+    Sign 1 "sign",
+    /// largest whole number not above a
+    Floor 1 "floor",
+    /// direction of the vector (b, a)
+    Atan2 2 "atan2",
+    /// the smaller
+    Min 2 "min",
+    /// the larger
+    Max 2 "max",
+    /// a to the power b
+    Power 2 "power",
+    /// a, moved by whole turns to within half a turn of b
+    Unwrap 2 "unwrap",
+    /// b if a is positive, else c
+    IfPositive 3 "if_positive",
+    /// entry a of the table whose position stands in the second operand's place
+    Lookup 1 "lookup",
+}
+
+impl Operation {
+    /// The result for three operands, of which the first [`Operation::arity`] count. `table` is
+    /// what [`Operation::Lookup`] reads.
+    #[inline(always)]
+    pub fn apply<T: Real>(self, a: T, b: T, c: T, table: &[f64]) -> T {
+        match self {
+            Operation::Negate => -a,
+            Operation::Add => a + b,
+            Operation::Subtract => a - b,
+            Operation::Multiply => a * b,
+            Operation::Divide => a / b,
+            Operation::Sqrt => a.sqrt(),
+            Operation::Sin => a.sin(),
+            Operation::Cos => a.cos(),
+            Operation::Tan => a.tan(),
+            Operation::Asin => a.asin(),
+            Operation::Acos => a.acos(),
+            Operation::Atan => a.atan(),
+            Operation::Tanh => a.tanh(),
+            Operation::Exp => a.exp(),
+            Operation::Log => a.ln(),
+            Operation::Abs => a.abs(),
+            Operation::Sign => a.sign(),
+            Operation::Floor => a.floor(),
+            Operation::Atan2 => a.atan2(b),
+            Operation::Min => a.min(b),
+            Operation::Max => a.max(b),
+            Operation::Power => a.power(b),
+            Operation::Unwrap => a.unwrap_to(b),
+            Operation::IfPositive => a.if_positive(b, c),
+            Operation::Lookup => a.lookup(table),
+        }
+    }
+}
