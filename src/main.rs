@@ -1,0 +1,3 @@
+//! The `flexure` command.
+
+fn main() {}
