@@ -6,5 +6,8 @@ pub mod newton;
 pub mod dual;
 pub mod failure;
 pub mod real;
+pub mod simulate;
 pub mod system;
 pub mod tape;
+
+pub use simulate::{Run, simulate};

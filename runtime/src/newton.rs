@@ -6,6 +6,9 @@
 //! no solution) Levenberg–Marquardt steps walk on to the nearest approach, which either turns out
 //! to be a solution or is what the failure reports.
 
+// `!(a > b)` is meant where it stands: what is not a number is then on the safe side.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 use std::fmt;
 
 /// Scaled residuals below this are zero but for rounding.

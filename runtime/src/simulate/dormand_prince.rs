@@ -1,0 +1,141 @@
+//! Dormand and Prince's pair 8(5,3) with dense output of order 7, after Hairer, Nørsett and Wanner
+//! (see [`coefficients`](super::coefficients)): twelve evaluations a step, three more where
+//! something is asked of its inside.
+
+use super::accounting::Flow;
+use super::coefficients::{
+    DENSE4, DENSE5, DENSE6, DENSE7, ERROR5, Entry, ORDER3, TIMES, WEIGHTS, stage,
+};
+use super::method::{Method, Step};
+use crate::system::System;
+
+pub(super) struct DormandPrince {
+    /// Rates at the stages; the thirteenth is that at the end of the step.
+    k: [Vec<f64>; 16],
+    /// State at a stage.
+    stage: Vec<f64>,
+    /// Coefficients of each quantity's dense output, from the first order on.
+    dense: Vec<[f64; 7]>,
+}
+
+impl DormandPrince {
+    pub fn new(width: usize) -> Self {
+        Self {
+            k: std::array::from_fn(|_| vec![0.0; width]),
+            stage: vec![0.0; width],
+            dense: vec![[0.0; 7]; width],
+        }
+    }
+}
+
+/// out = x + h Σ row · k. Inlined, so that every row becomes straight code.
+#[inline(always)]
+fn advance<const N: usize>(
+    row: &[Entry; N],
+    k: &[Vec<f64>; 16],
+    h: f64,
+    x: &[f64],
+    out: &mut [f64],
+) {
+    let n = x.len();
+    let rates: [&[f64]; N] = std::array::from_fn(|m| &k[row[m].0 - 1][..n]);
+    let out = &mut out[..n];
+    for i in 0..n {
+        let mut sum = 0.0;
+        for m in 0..N {
+            sum += row[m].1 * rates[m][i];
+        }
+        out[i] = x[i] + h * sum;
+    }
+}
+
+/// Σ row · k of quantity `i`.
+#[inline(always)]
+fn combined<const N: usize>(row: &[Entry; N], k: &[Vec<f64>; 16], i: usize) -> f64 {
+    row.iter()
+        .map(|&(position, coefficient)| coefficient * k[position - 1][i])
+        .sum()
+}
+
+/// The change within a step up to a fraction of it, by the nested form of the dense output.
+#[inline]
+pub(super) fn polynomial(coefficients: &[f64; 7], fraction: f64) -> f64 {
+    let [c1, c2, c3, c4, c5, c6, c7] = coefficients;
+    let (s, r) = (fraction, 1.0 - fraction);
+    s * (c1 + r * (c2 + s * (c3 + r * (c4 + s * (c5 + r * (c6 + s * c7))))))
+}
+
+impl Method for DormandPrince {
+    const LOOKS: &'static [f64] = &[0.25, 0.5, 0.75, 1.0];
+
+    #[inline]
+    fn step<S: System + ?Sized>(
+        &mut self,
+        flow: &mut Flow<'_, S>,
+        t: f64,
+        h: f64,
+        x: &[f64],
+        f: &[f64],
+        d: &[f64],
+        x_end: &mut [f64],
+    ) {
+        let Self { k, stage, .. } = self;
+        k[0].copy_from_slice(f);
+        macro_rules! stages {
+            ($($position:literal: $row:ident),+) => {$(
+                advance(&stage::$row, k, h, x, stage);
+                flow.rates(t + TIMES[$position - 1] * h, stage, d, &mut k[$position - 1]);
+            )+};
+        }
+        stages!(2: A2, 3: A3, 4: A4, 5: A5, 6: A6, 7: A7, 8: A8, 9: A9, 10: A10, 11: A11, 12: A12);
+        advance(&WEIGHTS, k, h, x, x_end);
+    }
+
+    /// Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the step.
+    fn error(&self, h: f64, allowed: &[f64]) -> f64 {
+        let (mut fifth, mut third) = (0.0, 0.0);
+        for (i, allowed) in allowed.iter().enumerate() {
+            let of_fifth = combined(&ERROR5, &self.k, i) / allowed;
+            let of_third =
+                (combined(&WEIGHTS, &self.k, i) - combined(&ORDER3, &self.k, i)) / allowed;
+            fifth += of_fifth * of_fifth;
+            third += of_third * of_third;
+        }
+        let sum = fifth + 0.01 * third;
+        if sum == 0.0 {
+            return 0.0;
+        }
+        h.abs() * fifth / (sum * allowed.len() as f64).sqrt()
+    }
+
+    fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>) {
+        let Self { k, stage, dense } = self;
+        k[12].copy_from_slice(step.f_end);
+        macro_rules! stages {
+            ($($position:literal: $row:ident),+) => {$(
+                advance(&stage::$row, k, step.h, step.x, stage);
+                let time = step.t + TIMES[$position - 1] * step.h;
+                flow.rates(time, stage, step.d, &mut k[$position - 1]);
+            )+};
+        }
+        stages!(14: A14, 15: A15, 16: A16);
+        for (i, dense) in dense.iter_mut().enumerate() {
+            let whole = step.x_end[i] - step.x[i];
+            *dense = [
+                whole,
+                step.h * step.f[i] - whole,
+                2.0 * whole - step.h * (step.f[i] + step.f_end[i]),
+                step.h * combined(&DENSE4, k, i),
+                step.h * combined(&DENSE5, k, i),
+                step.h * combined(&DENSE6, k, i),
+                step.h * combined(&DENSE7, k, i),
+            ];
+        }
+    }
+
+    fn interpolate(&self, step: &Step<'_>, fraction: f64, x: &mut [f64]) {
+        for (i, x) in x.iter_mut().enumerate() {
+            *x = step.x[i] + polynomial(&self.dense[i], fraction);
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! What the walk asks of a method of integration.
+
+use super::accounting::Flow;
+use crate::system::System;
+
+/// A step that was taken: both of its ends.
+#[derive(Clone, Copy)]
+pub(super) struct Step<'a> {
+    /// Time at its start.
+    pub t: f64,
+    /// Its length.
+    pub h: f64,
+    /// State at its start.
+    pub x: &'a [f64],
+    /// Rates at its start.
+    pub f: &'a [f64],
+    /// Discrete state during it.
+    pub d: &'a [f64],
+    /// State at its end.
+    pub x_end: &'a [f64],
+    /// Rates at its end.
+    pub f_end: &'a [f64],
+}
+
+/// A one-step method.
+pub(super) trait Method {
+    /// Where, within a step, event functions are looked at, as fractions of the step; ends in 1.
+    const LOOKS: &'static [f64];
+
+    /// Steps from `x` with rates `f` at `t` by `h`, to `x_end`.
+    #[allow(clippy::too_many_arguments)]
+    fn step<S: System + ?Sized>(
+        &mut self,
+        flow: &mut Flow<'_, S>,
+        t: f64,
+        h: f64,
+        x: &[f64],
+        f: &[f64],
+        d: &[f64],
+        x_end: &mut [f64],
+    );
+
+    /// Estimated error of the step just taken over the first quantities, each in units of
+    /// `allowed`: it may be accepted if not above 1.
+    fn error(&self, h: f64, allowed: &[f64]) -> f64;
+
+    /// Makes ready to interpolate within the step just taken.
+    fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>);
+
+    /// The state at a fraction of the step that was made ready.
+    fn interpolate(&self, step: &Step<'_>, fraction: f64, x: &mut [f64]);
+}
+
+/// The cubic through both ends of a step: of order 3, from what is known anyway.
+pub(super) fn cubic(step: &Step<'_>, fraction: f64, x: &mut [f64]) {
+    let s = fraction;
+    let to_end = s * s * (3.0 - 2.0 * s);
+    let rate_start = step.h * s * (1.0 - s) * (1.0 - s);
+    let rate_end = -step.h * s * s * (1.0 - s);
+    for (i, x) in x.iter_mut().enumerate() {
+        *x = step.x[i]
+            + to_end * (step.x_end[i] - step.x[i])
+            + rate_start * step.f[i]
+            + rate_end * step.f_end[i];
+    }
+}

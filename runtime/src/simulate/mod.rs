@@ -1,0 +1,296 @@
+//! Simulating a [`System`]: from its start state to an end time, by steps that never straddle a
+//! kink of a drive or an event.
+//!
+//!     simulate(&system) ──settings──▶ walk ──steps of a method──▶ rows ──▶ a Run, or a Recorder
+//!
+//! [`walk`](self) carries a run from break to break: the end, the next kink of a drive, an event
+//! that a step ran into. Between breaks the right-hand side is smooth and one of two methods steps
+//! over it:
+//!
+//! - [`Simulation::rtol`] (the default, 1e-6): Dormand and Prince's 8(5,3) with step control. Each
+//!   step's error is held below `rtol` times the largest excursion of each state from its start so
+//!   far; see [`Simulation::rtol`] for why not times the state's own size.
+//! - [`Simulation::dt`]: the classical Runge–Kutta method of order 4. The time between two breaks
+//!   is divided into the fewest equal steps that are no longer than `dt`, so that a step ends
+//!   exactly at each break and none is a short remainder.
+//!
+//! Results depend on nothing but the system and these settings: not on which rows are recorded.
+
+// `!(a > b)` is meant where it stands: what is not a number is then on the safe side.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
+mod accounting;
+mod breakdown;
+mod coefficients;
+mod crossing;
+mod dormand_prince;
+mod method;
+mod recorder;
+mod rows;
+mod run;
+mod runge_kutta;
+mod tolerance;
+mod walk;
+
+pub use breakdown::{Breakdown, BreakdownKind, RunFailure};
+pub use recorder::{Heading, Recorder};
+pub use run::{Column, Ending, EventRecord, Run, Statistics, Summary};
+
+use crate::system::System;
+use accounting::Flow;
+use dormand_prince::DormandPrince;
+use run::Table;
+use runge_kutta::RungeKutta;
+use tolerance::StepControl;
+use walk::{Pace, Walk};
+
+/// Starts to describe a run of `system` from its start state at t = 0; [`Simulation::run`] does it.
+pub fn simulate<S: System + ?Sized>(system: &S) -> Simulation<'_, S> {
+    Simulation {
+        system,
+        until: 0.0,
+        accuracy: Accuracy::Relative(1e-6),
+        absolute: Vec::new(),
+        longest_step: f64::INFINITY,
+        most_steps: 100_000_000,
+        every: None,
+        energy: false,
+        inputs: Vec::new(),
+    }
+}
+
+/// A run to be done.
+#[derive(Clone, Debug)]
+pub struct Simulation<'s, S: System + ?Sized> {
+    system: &'s S,
+    until: f64,
+    accuracy: Accuracy,
+    absolute: Vec<(String, f64)>,
+    longest_step: f64,
+    most_steps: u64,
+    every: Option<f64>,
+    energy: bool,
+    inputs: Vec<(usize, f64)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Accuracy {
+    /// Steps no longer than this, in s.
+    Step(f64),
+    /// Error per step relative to each state's excursion.
+    Relative(f64),
+}
+
+impl<S: System + ?Sized> Simulation<'_, S> {
+    /// Ends the run at this time, in s.
+    pub fn until(mut self, time: f64) -> Self {
+        self.until = time;
+        self
+    }
+
+    /// Adaptive steps, each with an estimated error below `tolerance`, between 1e-13 and 0.1,
+    /// times the scale of each state.
+    ///
+    /// The scale of a state is its largest excursion from its start so far, the step itself
+    /// included; for angles it is never more than 1 rad. A flexure's crank stands at 1.4 rad and
+    /// moves by a thousandth of that: a tolerance relative to its angle would leave nothing of its
+    /// motion. Below an excursion of a millionth of the state itself, of 1 nrad, 1 pm, 1 µrad/s or
+    /// 1 µm/s (1e-12 in other units), the state counts as at rest and its scale is that.
+    pub fn rtol(mut self, tolerance: f64) -> Self {
+        self.accuracy = Accuracy::Relative(tolerance);
+        self
+    }
+
+    /// Replaces the scale of one state, by name: its error per step is then held below
+    /// `tolerance` (in the state's unit) plus the relative tolerance times its size.
+    pub fn atol(mut self, state: &str, tolerance: f64) -> Self {
+        self.absolute.push((state.to_owned(), tolerance));
+        self
+    }
+
+    /// Fixed steps no longer than this, in s, by the classical Runge–Kutta method of order 4.
+    pub fn dt(mut self, step: f64) -> Self {
+        self.accuracy = Accuracy::Step(step);
+        self
+    }
+
+    /// Adaptive steps no longer than this, in s: for excitations so short that a long step would
+    /// not notice them.
+    pub fn max_step(mut self, step: f64) -> Self {
+        self.longest_step = step;
+        self
+    }
+
+    /// Gives up after this many steps, rejected ones included; 100 million unless given.
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.most_steps = steps;
+        self
+    }
+
+    /// Records rows at the multiples of `interval`, in s, and at the end, by the method's dense
+    /// output; without it a row at the end of every step, and two at an event.
+    pub fn every(mut self, interval: f64) -> Self {
+        self.every = Some(interval);
+        self
+    }
+
+    /// Adds columns `energy.kinetic`, `energy.potential`, `energy.dissipated` and
+    /// `energy.supplied` (the latter two since the start) and `energy.balance`, which is
+    /// kinetic + potential − what they were at the start − supplied + dissipated: zero but for the
+    /// error of the steps. All in J. A name that the model's outputs already have is not repeated.
+    ///
+    /// Powers are integrated by the same steps as the motion, which they do not influence. Where a
+    /// drive jumps, the jump of the stored energy counts as supplied; what an event changes counts
+    /// as supplied if energy rises and as dissipated if it falls.
+    pub fn energy(mut self, wanted: bool) -> Self {
+        self.energy = wanted;
+        self
+    }
+
+    /// Holds an input, by its position in [`System::inputs`], at this value instead of its start
+    /// value.
+    pub fn input(mut self, index: usize, value: f64) -> Self {
+        self.inputs.push((index, value));
+        self
+    }
+
+    /// Runs and keeps all rows.
+    ///
+    /// # Errors
+    ///
+    /// If a setting makes no sense, or if the motion cannot be followed to the end; the failure
+    /// keeps what was recorded until then.
+    pub fn run(self) -> Result<Run, RunFailure> {
+        let mut table = Table::default();
+        let (summary, breakdown) = self.go(&mut table);
+        let breakdown =
+            breakdown.or_else(|| table.is_full().then(|| Breakdown::too_many_rows(&summary)));
+        let run = Run::new(table, summary);
+        match breakdown {
+            None => Ok(run),
+            Some(breakdown) => Err(RunFailure::new(breakdown, run)),
+        }
+    }
+
+    /// Runs and hands rows and progress to `recorder`, keeping nothing.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::run`]; the recorder has the rows until then.
+    pub fn run_with(self, recorder: &mut dyn Recorder) -> Result<Summary, Breakdown> {
+        match self.go(recorder) {
+            (summary, None) => Ok(summary),
+            (_, Some(breakdown)) => Err(breakdown),
+        }
+    }
+
+    fn go(&self, recorder: &mut dyn Recorder) -> (Summary, Option<Breakdown>) {
+        let inputs = match self.checked_inputs() {
+            Ok(inputs) => inputs,
+            Err(breakdown) => return (Summary::default(), Some(breakdown)),
+        };
+        let flow = Flow::new(self.system, inputs, self.energy);
+        match self.accuracy {
+            Accuracy::Step(dt) => {
+                let method = RungeKutta::new(flow.width());
+                Walk::new(
+                    flow,
+                    method,
+                    Pace::Fixed(dt),
+                    self.until,
+                    self.every,
+                    recorder,
+                )
+                .run(self.most_steps)
+            }
+            Accuracy::Relative(rtol) => {
+                let control = match StepControl::new(
+                    self.system.states(),
+                    rtol,
+                    &self.absolute,
+                    self.longest_step,
+                    self.until,
+                ) {
+                    Ok(control) => control,
+                    Err(breakdown) => return (Summary::default(), Some(breakdown)),
+                };
+                let method = DormandPrince::new(flow.width());
+                Walk::new(
+                    flow,
+                    method,
+                    Pace::Adaptive(control),
+                    self.until,
+                    self.every,
+                    recorder,
+                )
+                .run(self.most_steps)
+            }
+        }
+    }
+
+    fn checked_inputs(&self) -> Result<Vec<f64>, Breakdown> {
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        if !(self.until >= 0.0 && self.until.is_finite()) {
+            return Err(Breakdown::setting(
+                format!("a run cannot end at t = {} s", self.until),
+                "give an end time of zero or more",
+            ));
+        }
+        if let Accuracy::Step(dt) = self.accuracy {
+            if !positive(dt) {
+                return Err(Breakdown::setting(
+                    format!("the step cannot be {dt} s"),
+                    "give a step longer than zero",
+                ));
+            }
+            if self.until / dt > self.most_steps as f64 {
+                return Err(Breakdown::setting(
+                    format!(
+                        "the run would take {:.1e} steps, more than {} are not allowed",
+                        self.until / dt,
+                        self.most_steps
+                    ),
+                    "give a longer step, or a tolerance instead of a step",
+                ));
+            }
+        }
+        if let Some(every) = self.every {
+            if !positive(every) {
+                return Err(Breakdown::setting(
+                    format!("rows cannot be {every} s apart"),
+                    "give an interval longer than zero",
+                ));
+            }
+            if self.until / every > 1e9 {
+                return Err(Breakdown::setting(
+                    format!("the run would have {:.1e} rows", self.until / every),
+                    "give a longer interval between rows",
+                ));
+            }
+        }
+        if !(self.longest_step > 0.0) {
+            return Err(Breakdown::setting(
+                format!("the longest step cannot be {} s", self.longest_step),
+                "give a longest step longer than zero",
+            ));
+        }
+        let variables = self.system.inputs();
+        let mut values: Vec<f64> = variables.iter().map(|v| v.start.unwrap_or(0.0)).collect();
+        for &(index, value) in &self.inputs {
+            let Some(place) = values.get_mut(index) else {
+                return Err(Breakdown::setting(
+                    format!("there is no input {index}"),
+                    format!("the model has {} inputs, counted from 0", variables.len()),
+                ));
+            };
+            if !value.is_finite() {
+                return Err(Breakdown::setting(
+                    format!("input `{}` cannot be {value}", variables[index].name),
+                    "give a finite value",
+                ));
+            }
+            *place = value;
+        }
+        Ok(values)
+    }
+}

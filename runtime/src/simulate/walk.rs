@@ -1,0 +1,530 @@
+//! A run from its start to its end, step by step.
+//!
+//! A walk stands at a time with a state, the rates there, and the values of all event functions.
+//! Each round it chooses a step that ends at or before the next break (the end of the run, a kink
+//! of a drive), tries it, shortens it to the first event that it ran into, records the rows inside
+//! it, moves on, and passes the events and kinks where it then stands.
+
+use std::ops::ControlFlow;
+
+use super::accounting::Flow;
+use super::breakdown::{Breakdown, BreakdownKind, Place};
+use super::crossing::{Crossings, Found};
+use super::method::{Method, Step};
+use super::recorder::Recorder;
+use super::rows::Rows;
+use super::run::{Ending, EventRecord, Summary};
+use super::tolerance::StepControl;
+use crate::system::{EventAction, System};
+
+/// Steps between two reports of progress.
+const PROGRESS_INTERVAL: u64 = 256;
+/// Events that are remembered one by one.
+const MOST_RECORDS: usize = 100_000;
+/// Kinks of one drive, or jumps from event to event, at one instant.
+const MOST_AT_ONCE: usize = 1000;
+/// A body may turn by this in a step.
+const QUARTER_TURN: f64 = std::f64::consts::FRAC_PI_2;
+
+/// How steps are chosen.
+pub(super) enum Pace {
+    /// The fewest equal ones that are no longer than this, in s.
+    Fixed(f64),
+    /// As accuracy asks for.
+    Adaptive(StepControl),
+}
+
+/// A run under way.
+pub(super) struct Walk<'a, S: System + ?Sized, M> {
+    flow: Flow<'a, S>,
+    method: M,
+    pace: Pace,
+    until: f64,
+    rows: Rows<'a>,
+    crossings: Crossings,
+    /// Where it stands.
+    t: f64,
+    x: Vec<f64>,
+    d: Vec<f64>,
+    /// Rates there.
+    f: Vec<f64>,
+    /// Where the step that is tried ends.
+    x_end: Vec<f64>,
+    d_end: Vec<f64>,
+    f_end: Vec<f64>,
+    /// The next kink of each drive.
+    kinks: Vec<f64>,
+    /// Equal steps to the next break.
+    stretch: Option<Stretch>,
+    summary: Summary,
+}
+
+/// A stretch of equal steps.
+#[derive(Clone, Copy)]
+struct Stretch {
+    from: f64,
+    to: f64,
+    steps: f64,
+    taken: f64,
+}
+
+/// A step to be tried.
+#[derive(Clone, Copy)]
+struct Trial {
+    h: f64,
+    /// The time at its end, exactly.
+    end: f64,
+}
+
+/// Why a step cannot be accepted.
+enum Rejection {
+    TooInaccurate(f64),
+    NotFinite,
+    Turned(usize),
+}
+
+/// Where a run ends before its time.
+enum Halt {
+    Ending(Ending),
+    Breakdown(BreakdownKind),
+}
+
+impl From<BreakdownKind> for Halt {
+    fn from(kind: BreakdownKind) -> Self {
+        Halt::Breakdown(kind)
+    }
+}
+
+/// A recorder that breaks off ends the run.
+fn recorded(flow: ControlFlow<()>) -> Result<(), Halt> {
+    match flow {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Halt::Ending(Ending::Interrupted)),
+    }
+}
+
+fn all_finite(values: &[f64]) -> bool {
+    values.iter().all(|value| value.is_finite())
+}
+
+impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
+    pub fn new(
+        flow: Flow<'a, S>,
+        method: M,
+        pace: Pace,
+        until: f64,
+        every: Option<f64>,
+        recorder: &'a mut dyn Recorder,
+    ) -> Self {
+        let width = flow.width();
+        let system = flow.system;
+        let mut x = vec![0.0; width];
+        let mut d = vec![0.0; system.discretes().len()];
+        system.start(&mut x[..flow.states], &mut d);
+        Self {
+            method,
+            pace,
+            until,
+            rows: Rows::new(recorder, width, every, until, flow.stored(0.0, &x, &d)),
+            crossings: Crossings::new(system.event_count(), width),
+            t: 0.0,
+            f: vec![0.0; width],
+            x_end: vec![0.0; width],
+            d_end: d.clone(),
+            f_end: vec![0.0; width],
+            kinks: vec![f64::INFINITY; system.kink_count()],
+            stretch: None,
+            summary: Summary::default(),
+            x,
+            d,
+            flow,
+        }
+    }
+
+    /// Goes to the end, and says how it went and what stopped it, if anything did.
+    pub fn run(mut self, most_steps: u64) -> (Summary, Option<Breakdown>) {
+        self.rows.begin(&self.flow);
+        let halt = match self.go(most_steps) {
+            Ok(()) => Halt::Ending(Ending::Complete),
+            Err(halt) => halt,
+        };
+        let (ending, breakdown) = match halt {
+            Halt::Ending(ending) => (ending, None),
+            Halt::Breakdown(kind) => {
+                let place = Place {
+                    system: self.flow.system,
+                    time: self.t,
+                    state: self.flow.own(&self.x),
+                };
+                (Ending::Failed, Some(Breakdown::at(&place, kind)))
+            }
+        };
+        self.summary.end = self.t;
+        self.summary.ending = ending;
+        self.summary.statistics.evaluations = self.flow.evaluations;
+        self.summary.state = self.flow.own(&self.x).to_vec();
+        self.summary.discrete = self.d;
+        (self.summary, breakdown)
+    }
+
+    fn go(&mut self, most_steps: u64) -> Result<(), Halt> {
+        if !all_finite(&self.x) {
+            return Err(BreakdownKind::NotFinite.into());
+        }
+        self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
+        if !self.pass_kinks()? {
+            self.rates()?;
+        }
+        let first_break = self.next_break() - self.t;
+        if let Pace::Adaptive(control) = &mut self.pace {
+            control.start(self.flow.own(&self.x), first_break);
+        }
+        recorded(self.rows.start(&self.flow, self.t, &self.x, &self.d))?;
+        let mut tried: u64 = 0;
+        while self.t < self.until {
+            if tried >= most_steps {
+                return Err(BreakdownKind::TooManySteps.into());
+            }
+            tried += 1;
+            if tried.is_multiple_of(PROGRESS_INTERVAL) {
+                recorded(self.rows.recorder.progress(self.t))?;
+            }
+            let trial = self.next_trial();
+            match self.attempt(trial) {
+                Ok(error) => self.accept(trial, error)?,
+                Err(rejection) => self.reject(trial, &rejection)?,
+            }
+        }
+        recorded(self.rows.end(&self.flow, self.t, &self.x, &self.d))
+    }
+
+    /// The time of the next kink or of the end.
+    fn next_break(&self) -> f64 {
+        self.kinks.iter().copied().fold(self.until, f64::min)
+    }
+
+    /// The step to try next; it ends exactly at the next break or before.
+    fn next_trial(&mut self) -> Trial {
+        let to = self.next_break();
+        match &self.pace {
+            Pace::Fixed(dt) => {
+                let stretch = self.stretch.get_or_insert_with(|| Stretch {
+                    from: self.t,
+                    to,
+                    // What exceeds a whole number by rounding takes no step of its own.
+                    steps: ((to - self.t) / dt * (1.0 - 1e-9)).ceil().max(1.0),
+                    taken: 0.0,
+                });
+                let h = (stretch.to - stretch.from) / stretch.steps;
+                stretch.taken += 1.0;
+                let end = if stretch.taken < stretch.steps {
+                    stretch.from + stretch.taken * h
+                } else {
+                    stretch.to
+                };
+                Trial { h, end }
+            }
+            Pace::Adaptive(control) => {
+                let left = to - self.t;
+                if control.wanted >= 0.999_999 * left {
+                    Trial { h: left, end: to }
+                } else if control.wanted > 0.5 * left {
+                    // Two equal steps rather than a long and a short one.
+                    let h = 0.5 * left;
+                    Trial { h, end: self.t + h }
+                } else {
+                    let h = control.wanted;
+                    Trial { h, end: self.t + h }
+                }
+            }
+        }
+    }
+
+    /// Takes a step to `x_end`, `d_end`, `f_end`; its error in units of what is allowed.
+    fn attempt(&mut self, trial: Trial) -> Result<f64, Rejection> {
+        self.method.step(
+            &mut self.flow,
+            self.t,
+            trial.h,
+            &self.x,
+            &self.f,
+            &self.d,
+            &mut self.x_end,
+        );
+        if !all_finite(&self.x_end) {
+            return Err(Rejection::NotFinite);
+        }
+        let mut error = 0.0;
+        if let Pace::Adaptive(control) = &mut self.pace {
+            let states = self.flow.states;
+            let allowed = control.allowed(&self.x[..states], &self.x_end[..states]);
+            error = self.method.error(trial.h, allowed);
+            if error.is_nan() {
+                return Err(Rejection::NotFinite);
+            }
+            if error > 1.0 {
+                return Err(Rejection::TooInaccurate(error));
+            }
+        }
+        self.finish(trial.end)?;
+        Ok(error)
+    }
+
+    /// Discrete state and rates at the end of a step.
+    fn finish(&mut self, end: f64) -> Result<(), Rejection> {
+        self.d_end.copy_from_slice(&self.d);
+        let system = self.flow.system;
+        system.accept(
+            end,
+            self.flow.own(&self.x_end),
+            &self.flow.u,
+            &mut self.d_end,
+        );
+        for &index in system.turning() {
+            let turn = (self.d_end[index] - self.d[index]).abs();
+            if turn.is_nan() {
+                return Err(Rejection::NotFinite);
+            }
+            if turn > QUARTER_TURN {
+                return Err(Rejection::Turned(index));
+            }
+        }
+        self.flow
+            .rates(end, &self.x_end, &self.d_end, &mut self.f_end);
+        if all_finite(&self.f_end) {
+            Ok(())
+        } else {
+            Err(Rejection::NotFinite)
+        }
+    }
+
+    fn reject(&mut self, trial: Trial, rejection: &Rejection) -> Result<(), Halt> {
+        self.summary.statistics.rejected += 1;
+        let control = match &mut self.pace {
+            Pace::Adaptive(control) => control,
+            Pace::Fixed(_) => {
+                return Err(match rejection {
+                    Rejection::Turned(index) => BreakdownKind::Turned(*index),
+                    _ => self.not_finite(trial.h),
+                }
+                .into());
+            }
+        };
+        match rejection {
+            Rejection::TooInaccurate(error) => control.too_inaccurate(trial.h, *error),
+            Rejection::NotFinite => control.cut(trial.h, 0.25),
+            Rejection::Turned(_) => control.cut(trial.h, 0.5),
+        }
+        let shortest = 8.0 * f64::EPSILON * self.t.abs() + 1e-18 * self.until;
+        if control.wanted >= shortest {
+            return Ok(());
+        }
+        Err(match rejection {
+            Rejection::NotFinite => self.not_finite(trial.h),
+            _ => BreakdownKind::StepTooShort,
+        }
+        .into())
+    }
+
+    /// Why there is no finite number ahead: the loop that comes to its dead point, if one does.
+    fn not_finite(&mut self, h: f64) -> BreakdownKind {
+        let system = self.flow.system;
+        let mut closures = vec![0.0; system.loop_count()];
+        let mut lowest: Option<(usize, f64)> = None;
+        for ahead in [0.0, 0.5 * h, h] {
+            for i in 0..self.x.len() {
+                self.x_end[i] = self.x[i] + ahead * self.f[i];
+            }
+            if !all_finite(&self.x_end) {
+                continue;
+            }
+            let x = self.flow.own(&self.x_end);
+            system.closures(self.t + ahead, x, &self.d, &self.flow.u, &mut closures);
+            for (index, &closure) in closures.iter().enumerate() {
+                let closure = if closure.is_nan() { 0.0 } else { closure };
+                if lowest.is_none_or(|(_, least)| closure < least) {
+                    lowest = Some((index, closure));
+                }
+            }
+        }
+        match lowest {
+            Some((index, closure)) if closure < 0.05 => BreakdownKind::DeadPoint(index),
+            _ => BreakdownKind::NotFinite,
+        }
+    }
+
+    /// Moves on to the end of a step that was found good, or to the first event in it.
+    fn accept(&mut self, trial: Trial, error: f64) -> Result<(), Halt> {
+        let step = Step {
+            t: self.t,
+            h: trial.h,
+            x: &self.x,
+            f: &self.f,
+            d: &self.d,
+            x_end: &self.x_end,
+            f_end: &self.f_end,
+        };
+        let found = self.crossings.find(&mut self.flow, &mut self.method, &step);
+        let taken = match &found {
+            None => trial,
+            Some(found) => self.shorten(trial, found)?,
+        };
+        let step = Step {
+            t: self.t,
+            h: taken.h,
+            x: &self.x,
+            f: &self.f,
+            d: &self.d,
+            x_end: &self.x_end,
+            f_end: &self.f_end,
+        };
+        recorded(
+            self.rows
+                .inside(&mut self.flow, &mut self.method, &step, taken.end),
+        )?;
+        self.summary.statistics.accepted += 1;
+        if let Pace::Adaptive(control) = &mut self.pace {
+            control.accepted(taken.h, error, self.flow.own(&self.x_end));
+        }
+        self.t = taken.end;
+        std::mem::swap(&mut self.x, &mut self.x_end);
+        std::mem::swap(&mut self.d, &mut self.d_end);
+        std::mem::swap(&mut self.f, &mut self.f_end);
+        self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
+        recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
+        if let Some(found) = found {
+            self.happen(found.all)?;
+            if let Pace::Adaptive(control) = &mut self.pace {
+                control.restart(0.25 * trial.h);
+            }
+            recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
+        }
+        if self.t < self.until {
+            self.pass_kinks()?;
+        }
+        Ok(())
+    }
+
+    /// Takes the step again, to end at the event: the dense output says where, Newton's method on
+    /// the steps' own ends the rest.
+    fn shorten(&mut self, trial: Trial, found: &Found) -> Result<Trial, Halt> {
+        let mut values = vec![0.0; self.flow.system.event_count()];
+        let mut h = found.fraction * trial.h;
+        for _ in 0..4 {
+            self.method.step(
+                &mut self.flow,
+                self.t,
+                h,
+                &self.x,
+                &self.f,
+                &self.d,
+                &mut self.x_end,
+            );
+            self.flow.system.events(
+                self.t + h,
+                self.flow.own(&self.x_end),
+                &self.d,
+                &self.flow.u,
+                &mut values,
+            );
+            let correction = -values[found.index] / found.slope;
+            let is_settled = correction.abs() <= 1e-14 * trial.h + f64::EPSILON * self.t.abs();
+            // A touch without a slope has no better place.
+            if !(found.slope > 0.0) || is_settled || !(correction.abs() < 1e-3 * trial.h) {
+                break;
+            }
+            h = (h + correction).clamp(0.0, trial.h);
+        }
+        let trial = Trial {
+            h,
+            end: (self.t + h).min(trial.end),
+        };
+        match self.finish(trial.end) {
+            Ok(()) => {
+                self.stretch = None;
+                Ok(trial)
+            }
+            Err(_) => Err(self.not_finite(h).into()),
+        }
+    }
+
+    /// Passes events where the walk stands, and those that they bring about at once.
+    fn happen(&mut self, mut events: Vec<usize>) -> Result<(), Halt> {
+        let mut rounds = 0;
+        while !events.is_empty() {
+            rounds += 1;
+            for index in events {
+                if self.crossings.happens(index, self.t) || rounds > MOST_AT_ONCE {
+                    return Err(BreakdownKind::Chatter(index).into());
+                }
+                self.summary.statistics.events += 1;
+                if self.summary.events.len() < MOST_RECORDS {
+                    self.summary.events.push(EventRecord {
+                        time: self.t,
+                        index,
+                    });
+                }
+                let before = self.flow.stored(self.t, &self.x, &self.d);
+                let action = self.flow.system.pass_event(
+                    index,
+                    self.t,
+                    &mut self.x[..self.flow.states],
+                    &mut self.d,
+                    &self.flow.u,
+                );
+                let after = self.flow.stored(self.t, &self.x, &self.d);
+                self.flow.book_event(&mut self.x, after - before);
+                if let EventAction::Stop(reason) = action {
+                    recorded(self.rows.end(&self.flow, self.t, &self.x, &self.d))?;
+                    return Err(Halt::Ending(Ending::Stopped(reason)));
+                }
+            }
+            events = self.crossings.jumped(&self.flow, self.t, &self.x, &self.d);
+        }
+        self.stretch = None;
+        self.rates()
+    }
+
+    /// Passes all kinks where the walk stands, and the events that their jumps bring about; whether
+    /// there were any.
+    fn pass_kinks(&mut self) -> Result<bool, Halt> {
+        let mut passed = 0;
+        let system = self.flow.system;
+        loop {
+            system.next_kinks(&self.d, &mut self.kinks);
+            let now = self.t + 4.0 * f64::EPSILON * self.t.abs();
+            let Some(index) = self.kinks.iter().position(|&kink| kink <= now) else {
+                break;
+            };
+            passed += 1;
+            if passed > MOST_AT_ONCE * self.kinks.len() {
+                return Err(BreakdownKind::CrowdedKinks(index).into());
+            }
+            let before = self.flow.stored(self.t, &self.x, &self.d);
+            system.pass_kink(index, &mut self.d);
+            let after = self.flow.stored(self.t, &self.x, &self.d);
+            self.flow.book_supplied(&mut self.x, after - before);
+            self.summary.statistics.kinks += 1;
+        }
+        if passed == 0 {
+            return Ok(false);
+        }
+        self.stretch = None;
+        let events = self.crossings.jumped(&self.flow, self.t, &self.x, &self.d);
+        self.happen(events)?;
+        if let Pace::Adaptive(control) = &mut self.pace {
+            control.restart(f64::INFINITY);
+        }
+        Ok(true)
+    }
+
+    /// Rates where the walk stands.
+    fn rates(&mut self) -> Result<(), Halt> {
+        self.flow.rates(self.t, &self.x, &self.d, &mut self.f);
+        if all_finite(&self.x) && all_finite(&self.f) {
+            Ok(())
+        } else {
+            Err(self.not_finite(0.0).into())
+        }
+    }
+}
