@@ -1,0 +1,162 @@
+//! The mechanism as assembled with a parameter set, for people: facts in words, places in numbers.
+//!
+//! What simulates has its own, faster `prepare`; this evaluates the equations plainly.
+
+use flexure_model_dsl::equations::{Definition, Equations, Shape, ShownUnit, Solve};
+use flexure_model_dsl::symbolic::{Evaluator, Expr};
+use flexure_runtime::diagnostic::Diagnostic;
+use flexure_runtime::failure::{Unit, render};
+use flexure_runtime::newton;
+
+/// Values of whatever depends on params alone.
+pub struct Assembled<'m> {
+    equations: &'m Equations,
+    evaluator: Evaluator<'m>,
+}
+
+/// A point or direction in the plane.
+pub type Point = [f64; 2];
+
+/// The mechanism's shape in numbers, in m; see
+/// [`Drawing`](flexure_model_dsl::equations::Drawing) for the meaning of the parts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Places {
+    /// Links: name and corners.
+    pub links: Vec<(String, Vec<Point>)>,
+    /// Slides: name, place, direction of the guide.
+    pub slides: Vec<(String, Point, Point)>,
+    /// Named points; whether each is a pin, and whether that pin is fixed to ground.
+    pub marks: Vec<(String, Point, Option<bool>)>,
+    /// Springs and stacks (true) from end to end.
+    pub springs: Vec<(String, Point, Point, bool)>,
+    /// Contacts: name, place, direction of sliding.
+    pub contacts: Vec<(String, Point, Point)>,
+}
+
+impl<'m> Assembled<'m> {
+    /// Evaluates `equations` with these values of its params, in SI.
+    ///
+    /// # Errors
+    ///
+    /// If equations that fix the assembled configuration have no solution.
+    pub fn new(equations: &'m Equations, params: &[f64]) -> Result<Self, Diagnostic> {
+        let mut evaluator = Evaluator::new(&equations.graph);
+        for (param, value) in equations.params.iter().zip(params) {
+            evaluator.set(param.symbol, *value);
+        }
+        for definition in &equations.definitions {
+            match definition {
+                Definition::Value { symbol, value, .. } => evaluator.define(*symbol, *value),
+                Definition::Solve(solve) => close(&mut evaluator, solve)?,
+            }
+        }
+        Ok(Self {
+            equations,
+            evaluator,
+        })
+    }
+
+    /// The value of an expression of params; not a number if it depends on anything else.
+    pub fn value(&mut self, expr: Expr) -> f64 {
+        self.evaluator.value(expr)
+    }
+
+    /// Bodies, joints, loops, degrees of freedom, coordinates and angles: what each line is about
+    /// and what is to be said.
+    pub fn facts(&mut self) -> Vec<(String, String)> {
+        let equations = self.equations;
+        let facts = equations.summary.iter();
+        facts
+            .map(|fact| {
+                let (values, units): (Vec<f64>, Vec<Unit>) = fact
+                    .values
+                    .iter()
+                    .map(|&(expr, unit)| (self.value(expr), shown(unit)))
+                    .unzip();
+                (fact.subject.clone(), render(&fact.words, &values, &units))
+            })
+            .collect()
+    }
+
+    /// The shape of the mechanism.
+    pub fn places(&mut self) -> Places {
+        let drawing = &self.equations.drawing;
+        let mut places = Places::default();
+        for shape in &drawing.shapes {
+            match shape {
+                Shape::Link(name, corners) => {
+                    let corners = corners.iter().map(|&corner| self.point(corner)).collect();
+                    places.links.push((name.clone(), corners));
+                }
+                Shape::Slide(name, at, along) => {
+                    let place = (name.clone(), self.point(*at), self.point(*along));
+                    places.slides.push(place);
+                }
+            }
+        }
+        for mark in &drawing.marks {
+            let at = self.point(mark.at);
+            places.marks.push((mark.name.clone(), at, mark.pin));
+        }
+        for (name, first, second, stack) in &drawing.springs {
+            let ends = (self.point(*first), self.point(*second));
+            places.springs.push((name.clone(), ends.0, ends.1, *stack));
+        }
+        for (name, at, along) in &drawing.contacts {
+            let place = (name.clone(), self.point(*at), self.point(*along));
+            places.contacts.push(place);
+        }
+        places
+    }
+
+    fn point(&mut self, point: [Expr; 2]) -> Point {
+        point.map(|coordinate| self.value(coordinate))
+    }
+}
+
+fn shown(unit: ShownUnit) -> Unit {
+    match unit {
+        ShownUnit::Number => Unit::Number,
+        ShownUnit::Degree => Unit::Degree,
+        ShownUnit::Metre => Unit::Metre,
+        ShownUnit::Other(symbol) => Unit::Other(symbol),
+    }
+}
+
+/// Sets the unknowns of `solve`. The Jacobian is taken by differences: it only steers the steps.
+fn close(evaluator: &mut Evaluator, solve: &Solve) -> Result<(), Diagnostic> {
+    let values = |evaluator: &mut Evaluator, exprs: &[Expr]| -> Vec<f64> {
+        exprs.iter().map(|&expr| evaluator.value(expr)).collect()
+    };
+    let mut unknowns = values(evaluator, &solve.guesses);
+    let scales = values(evaluator, &solve.scales);
+    for &(symbol, value) in &solve.definitions {
+        evaluator.define(symbol, value);
+    }
+    let count = unknowns.len();
+    let found = newton::solve(&mut unknowns, &scales, &mut |at, residuals, jacobian| {
+        let mut residuals_at = |at: &[f64]| {
+            for (symbol, value) in solve.unknowns.iter().zip(at) {
+                evaluator.set(*symbol, *value);
+            }
+            values(evaluator, &solve.residuals)
+        };
+        residuals.copy_from_slice(&residuals_at(at));
+        for column in 0..count {
+            let step = 1e-6 * at[column].abs().max(1e-3);
+            let mut moved = at.to_vec();
+            moved[column] = at[column] + step;
+            let above = residuals_at(&moved);
+            moved[column] = at[column] - step;
+            let below = residuals_at(&moved);
+            for row in 0..count {
+                jacobian[row * count + column] = (above[row] - below[row]) / (2.0 * step);
+            }
+        }
+    });
+    found.map_err(|why| Diagnostic::error(format!("{} cannot be found: {why}", solve.name)))?;
+    for (symbol, value) in solve.unknowns.iter().zip(unknowns) {
+        evaluator.set(*symbol, value);
+    }
+    Ok(())
+}

@@ -1,0 +1,618 @@
+//! The mechanism as assembled, drawn to scale in the signs that engineers use: links with their
+//! pins, ground hatched, slides on their guides, springs, stacks and contacts, names, a scale bar.
+//! Places and lengths of links are to scale; the signs for pins, slides and contacts are not.
+
+use std::fmt::Write;
+
+use super::figure::text_width;
+use super::scale;
+use super::svg::{escape, pixel};
+use flexure::{Places, Point};
+
+const WIDEST: f64 = 760.0;
+const HIGHEST: f64 = 420.0;
+const MARGIN: f64 = 64.0;
+const BAR: f64 = 9.0;
+const SLIDE: Point = [54.0, 26.0];
+
+/// The picture as an `svg` element, or `None` if there is nothing with a place in the plane.
+pub fn mechanism(places: &Places) -> Option<String> {
+    let view = View::around(places)?;
+    let mut picture = Picture {
+        svg: String::new(),
+        labels: Labels::default(),
+    };
+    picture.slides(places, &view);
+    picture.springs(places, &view);
+    picture.links(places, &view);
+    picture.contacts(places, &view);
+    picture.marks(places, &view);
+    let names = picture.labels.place(view.size);
+    let [width, height] = view.size;
+    Some(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" style=\"max-width:{}px\" \
+         role=\"img\" aria-label=\"the mechanism as assembled, to scale\">\n{}{names}{}</svg>\n",
+        pixel(width),
+        pixel(height),
+        pixel(width),
+        picture.svg,
+        scale_bar(&view)
+    ))
+}
+
+/// How metres become pixels.
+struct View {
+    scale: f64,
+    low: Point,
+    size: Point,
+}
+
+impl View {
+    fn around(places: &Places) -> Option<View> {
+        let points = all_points(places);
+        let finite = |p: &&Point| p[0].is_finite() && p[1].is_finite();
+        let (low, high) = points.iter().filter(finite).fold(
+            ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]),
+            |(low, high), p| {
+                (
+                    [low[0].min(p[0]), low[1].min(p[1])],
+                    [high[0].max(p[0]), high[1].max(p[1])],
+                )
+            },
+        );
+        if low[0] > high[0] {
+            return None;
+        }
+        let span = [high[0] - low[0], high[1] - low[1]];
+        let room = [WIDEST - 2.0 * MARGIN, HIGHEST - 2.0 * MARGIN];
+        let scale = (room[0] / span[0]).min(room[1] / span[1]);
+        if !scale.is_finite() {
+            // All in one point: no scale to draw to.
+            let size = [2.0 * MARGIN + 120.0, 2.0 * MARGIN + 60.0];
+            let low = [low[0] - 60.0, low[1] - 30.0];
+            return Some(View {
+                scale: 1.0,
+                low,
+                size,
+            });
+        }
+        let width = (span[0] * scale + 2.0 * MARGIN).max(380.0);
+        let height = span[1] * scale + 2.0 * MARGIN + 30.0;
+        let spare = (width - 2.0 * MARGIN - span[0] * scale) / 2.0;
+        Some(View {
+            scale,
+            low: [low[0] - spare / scale, low[1]],
+            size: [width, height],
+        })
+    }
+
+    /// Whether lengths in the picture mean anything.
+    fn to_scale(&self) -> bool {
+        self.scale != 1.0
+    }
+
+    fn at(&self, p: Point) -> Point {
+        [
+            MARGIN + (p[0] - self.low[0]) * self.scale,
+            self.size[1] - 30.0 - MARGIN - (p[1] - self.low[1]) * self.scale,
+        ]
+    }
+
+    fn length(&self, direction: Point) -> Point {
+        unit([direction[0], -direction[1]])
+    }
+}
+
+fn all_points(places: &Places) -> Vec<Point> {
+    let links = places.links.iter().flat_map(|(_, corners)| corners.clone());
+    let slides = places.slides.iter().map(|(_, at, _)| *at);
+    let marks = places.marks.iter().map(|(_, at, _)| *at);
+    let springs = places.springs.iter().flat_map(|(_, a, b, _)| [*a, *b]);
+    let contacts = places.contacts.iter().map(|(_, at, _)| *at);
+    links
+        .chain(slides)
+        .chain(marks)
+        .chain(springs)
+        .chain(contacts)
+        .collect()
+}
+
+struct Picture {
+    svg: String,
+    labels: Labels,
+}
+
+impl Picture {
+    fn links(&mut self, places: &Places, view: &View) {
+        for (name, corners) in &places.links {
+            let corners: Vec<Point> = corners.iter().map(|&p| view.at(p)).collect();
+            if !all_finite(&corners) || corners.is_empty() {
+                continue;
+            }
+            let outline = match corners[..] {
+                [a, b] => bar(a, b, BAR),
+                _ => polygon(&corners),
+            };
+            let _ = writeln!(self.svg, "<path class=\"link\" d=\"{outline}\"/>");
+            let (first, last) = (corners[0], corners[corners.len() - 1]);
+            let across = normal(unit(minus(last, first)));
+            let middle = center(&corners);
+            self.labels.add(name, true, middle, across, BAR + 9.0);
+            for &corner in &corners {
+                self.labels.avoid(corner, 8.0);
+            }
+            for step in 1..8 {
+                self.labels
+                    .avoid(between(first, last, f64::from(step) / 8.0), BAR);
+            }
+        }
+    }
+
+    fn slides(&mut self, places: &Places, view: &View) {
+        for (name, at, guide) in &places.slides {
+            let at = view.at(*at);
+            let along = view.length(*guide);
+            if !all_finite(&[at, along]) {
+                continue;
+            }
+            let across = normal(along);
+            let place = |u: f64, v: f64| {
+                [
+                    at[0] + u * along[0] + v * across[0],
+                    at[1] + u * along[1] + v * across[1],
+                ]
+            };
+            let (half, depth) = (SLIDE[0] / 2.0, SLIDE[1] / 2.0);
+            let rail = 1.55 * half;
+            // The rail with its hatching lies on the lower side as the picture stands.
+            let side = if across[1] < 0.0 || (across[1] == 0.0 && across[0] < 0.0) {
+                -1.0
+            } else {
+                1.0
+            };
+            let rail_at = side * (depth + 3.0);
+            let mut hatching = String::new();
+            let strokes = 9;
+            for k in 0..strokes {
+                let u = -rail + 2.0 * rail * (f64::from(k) + 0.5) / f64::from(strokes);
+                hatching += &line(
+                    place(u + 3.0, rail_at),
+                    place(u - 3.0, rail_at + side * 7.0),
+                );
+            }
+            let _ = writeln!(self.svg, "<path class=\"thin\" d=\"{hatching}\"/>");
+            let _ = writeln!(
+                self.svg,
+                "<path class=\"ink\" d=\"{}\"/>",
+                line(place(-rail, rail_at), place(rail, rail_at))
+            );
+            let block = [
+                place(-half, -depth),
+                place(half, -depth),
+                place(half, depth),
+                place(-half, depth),
+            ];
+            let _ = writeln!(
+                self.svg,
+                "<path class=\"slide\" d=\"{}\"/>",
+                polygon(&block)
+            );
+            let (tail, tip) = (place(-half * 0.45, 0.0), place(half * 0.55, 0.0));
+            let _ = writeln!(
+                self.svg,
+                "<path class=\"thin\" d=\"{}\"/>",
+                line(tail, tip) + &head(tail, tip, 5.0)
+            );
+            self.labels.add(name, true, at, [0.0, -side], depth + 12.0);
+            for k in -3..=3 {
+                self.labels
+                    .avoid(place(f64::from(k) * half / 3.0, 0.0), depth);
+                self.labels
+                    .avoid(place(f64::from(k) * rail / 3.0, rail_at + 4.0 * side), 6.0);
+            }
+        }
+    }
+
+    fn springs(&mut self, places: &Places, view: &View) {
+        for (name, first, second, stack) in &places.springs {
+            let (a, b) = (view.at(*first), view.at(*second));
+            if !all_finite(&[a, b]) {
+                continue;
+            }
+            let long = length(minus(b, a));
+            let along = unit(minus(b, a));
+            let across = if long > 0.0 {
+                normal(along)
+            } else {
+                [0.0, -1.0]
+            };
+            if long > 14.0 {
+                if *stack {
+                    self.stack(a, b, long);
+                } else {
+                    let _ = writeln!(self.svg, "<path class=\"spring\" d=\"{}\"/>", coil(a, b));
+                }
+                for k in 1..8 {
+                    self.labels.avoid(between(a, b, f64::from(k) / 8.0), 7.0);
+                }
+            }
+            self.labels
+                .add(name, false, between(a, b, 0.5), across, 16.0);
+        }
+    }
+
+    /// A ceramic: a block of layers between its ends.
+    fn stack(&mut self, a: Point, b: Point, long: f64) {
+        let outline = bar_square(a, b, 9.0);
+        let _ = writeln!(self.svg, "<path class=\"piezo\" d=\"{outline}\"/>");
+        let layers = ((long / 7.0).round() as usize).clamp(2, 40);
+        let across = normal(unit(minus(b, a)));
+        let mut strokes = String::new();
+        for k in 1..layers {
+            let p = between(a, b, k as f64 / layers as f64);
+            strokes += &line(shifted(p, across, -9.0), shifted(p, across, 9.0));
+        }
+        let _ = writeln!(
+            self.svg,
+            "<path class=\"piezo\" style=\"stroke-width:0.8\" d=\"{strokes}\"/>"
+        );
+    }
+
+    fn contacts(&mut self, places: &Places, view: &View) {
+        for (name, at, sliding) in &places.contacts {
+            let at = view.at(*at);
+            let along = view.length(*sliding);
+            if !all_finite(&[at, along]) {
+                continue;
+            }
+            let (back, front) = (shifted(at, along, -17.0), shifted(at, along, 17.0));
+            let _ = writeln!(
+                self.svg,
+                "<path class=\"contact\" d=\"{}{}{}\"/>",
+                line(back, front),
+                head(back, front, 6.0),
+                head(front, back, 6.0)
+            );
+            self.labels.avoid(at, 7.0);
+            self.labels.avoid(back, 5.0);
+            self.labels.avoid(front, 5.0);
+            self.labels.add(name, false, at, [0.0, 1.0], 16.0);
+        }
+    }
+
+    fn marks(&mut self, places: &Places, view: &View) {
+        for (name, at, pin) in &places.marks {
+            let at = view.at(*at);
+            if !all_finite(&[at]) {
+                continue;
+            }
+            let [x, y] = at;
+            if *pin == Some(true) {
+                let (base, half) = (y + 17.0, 13.0);
+                let mut hatching = String::new();
+                for k in 0..6 {
+                    let u = x - half - 1.0 + f64::from(k) * (2.0 * half + 2.0) / 5.0;
+                    hatching += &line([u + 2.5, base], [u - 3.5, base + 7.0]);
+                }
+                let _ = writeln!(
+                    self.svg,
+                    "<path class=\"ink\" style=\"fill:var(--paper)\" d=\"M{0} {1}L{2} {3}H{4}Z\"/>\
+                     <path class=\"ink\" d=\"M{5} {3}H{6}\"/><path class=\"thin\" d=\"{hatching}\"/>",
+                    pixel(x),
+                    pixel(y),
+                    pixel(x - 9.0),
+                    pixel(base),
+                    pixel(x + 9.0),
+                    pixel(x - half - 3.0),
+                    pixel(x + half + 3.0),
+                );
+                self.labels.avoid([x, base], 12.0);
+            }
+            let _ = match pin {
+                Some(_) => writeln!(
+                    self.svg,
+                    "<circle class=\"pin\" cx=\"{}\" cy=\"{}\" r=\"4.6\"/>",
+                    pixel(x),
+                    pixel(y)
+                ),
+                None => writeln!(
+                    self.svg,
+                    "<circle cx=\"{}\" cy=\"{}\" r=\"2.8\" style=\"fill:var(--ink)\"/>",
+                    pixel(x),
+                    pixel(y)
+                ),
+            };
+            self.labels.avoid(at, 5.0);
+            self.labels.add(name, false, at, [0.7, -0.7], 13.0);
+        }
+    }
+}
+
+/// Names and what they must not cover.
+#[derive(Default)]
+struct Labels {
+    wanted: Vec<Wanted>,
+    taken: Vec<(Point, f64)>,
+}
+
+struct Wanted {
+    text: String,
+    body: bool,
+    anchor: Point,
+    preferred: Point,
+    distance: f64,
+}
+
+impl Labels {
+    fn add(&mut self, text: &str, body: bool, anchor: Point, preferred: Point, distance: f64) {
+        self.wanted.push(Wanted {
+            text: text.to_owned(),
+            body,
+            anchor,
+            preferred,
+            distance,
+        });
+    }
+
+    fn avoid(&mut self, at: Point, radius: f64) {
+        self.taken.push((at, radius));
+    }
+
+    /// Puts each name on the side of its anchor where it covers least.
+    fn place(&self, [width, height]: Point) -> String {
+        let mut svg = String::new();
+        let mut placed: Vec<[f64; 4]> = Vec::new();
+        for wanted in &self.wanted {
+            let wide = text_width(&wanted.text) + 4.0;
+            let high = 15.0;
+            let mut best: Option<(f64, [f64; 4])> = None;
+            for further in [0.0, 9.0, 20.0] {
+                for turn in 0..12 {
+                    let angle = f64::from(turn) * std::f64::consts::TAU / 12.0;
+                    let (sin, cos) = angle.sin_cos();
+                    let [px, py] = wanted.preferred;
+                    let toward = [px * cos - py * sin, px * sin + py * cos];
+                    let reach = wanted.distance + further;
+                    let x = wanted.anchor[0] + toward[0] * (reach + wide / 2.0 - 8.0);
+                    let y = wanted.anchor[1] + toward[1] * reach;
+                    let area = [
+                        x - wide / 2.0,
+                        y - high / 2.0,
+                        x + wide / 2.0,
+                        y + high / 2.0,
+                    ];
+                    let away = f64::from(turn.min(12 - turn));
+                    let mut cost = 0.6 * away + 0.25 * further;
+                    for other in &placed {
+                        cost += 2.0 * overlap(area, *other);
+                    }
+                    for (at, radius) in &self.taken {
+                        let box_of = [
+                            at[0] - radius,
+                            at[1] - radius,
+                            at[0] + radius,
+                            at[1] + radius,
+                        ];
+                        cost += 0.5 * overlap(area, box_of);
+                    }
+                    if area[0] < 2.0
+                        || area[1] < 2.0
+                        || area[2] > width - 2.0
+                        || area[3] > height - 2.0
+                    {
+                        cost += 1e4;
+                    }
+                    if best.is_none_or(|(least, _)| cost < least) {
+                        best = Some((cost, area));
+                    }
+                }
+            }
+            let Some((_, area)) = best else { continue };
+            placed.push(area);
+            let _ = writeln!(
+                svg,
+                "<text class=\"name{}\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                if wanted.body { " body-name" } else { "" },
+                pixel((area[0] + area[2]) / 2.0),
+                pixel(area[3] - 3.5),
+                escape(&wanted.text)
+            );
+        }
+        svg
+    }
+}
+
+fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
+    let width = (a[2].min(b[2]) - a[0].max(b[0])).max(0.0);
+    let height = (a[3].min(b[3]) - a[1].max(b[1])).max(0.0);
+    width * height
+}
+
+fn scale_bar(view: &View) -> String {
+    let y = view.size[1] - 18.0;
+    if !view.to_scale() {
+        return format!(
+            "<text class=\"soft\" x=\"12\" y=\"{}\">not to scale: all in one point</text>\n",
+            pixel(y + 4.0)
+        );
+    }
+    let long = scale::round_step(0.5 * 150.0 / view.scale);
+    let wide = long * view.scale;
+    let (left, right) = (16.0, 16.0 + wide);
+    format!(
+        "<path class=\"thin\" d=\"M{0} {2}v8m0 -4H{1}m0 -4v8\"/>\
+         <text class=\"soft\" x=\"{3}\" y=\"{4}\">{5}</text>\n",
+        pixel(left),
+        pixel(right),
+        pixel(y - 4.0),
+        pixel(right + 8.0),
+        pixel(y + 4.0),
+        scale::with_unit(long, "m", 3)
+    )
+}
+
+/// A bar with round ends.
+fn bar(a: Point, b: Point, width: f64) -> String {
+    if length(minus(b, a)) == 0.0 {
+        return polygon(&[a, b]);
+    }
+    let side = normal(unit(minus(b, a)));
+    let r = width / 2.0;
+    let [p, q] = [shifted(a, side, r), shifted(b, side, r)];
+    let [s, t] = [shifted(b, side, -r), shifted(a, side, -r)];
+    let r = pixel(r);
+    format!(
+        "M{} {}L{} {}A{r} {r} 0 0 0 {} {}L{} {}A{r} {r} 0 0 0 {} {}Z",
+        pixel(p[0]),
+        pixel(p[1]),
+        pixel(q[0]),
+        pixel(q[1]),
+        pixel(s[0]),
+        pixel(s[1]),
+        pixel(t[0]),
+        pixel(t[1]),
+        pixel(p[0]),
+        pixel(p[1])
+    )
+}
+
+fn bar_square(a: Point, b: Point, half: f64) -> String {
+    let side = normal(unit(minus(b, a)));
+    polygon(&[
+        shifted(a, side, half),
+        shifted(b, side, half),
+        shifted(b, side, -half),
+        shifted(a, side, -half),
+    ])
+}
+
+fn polygon(corners: &[Point]) -> String {
+    let mut path = String::new();
+    for (k, [x, y]) in corners.iter().enumerate() {
+        let pen = if k == 0 { 'M' } else { 'L' };
+        let _ = write!(path, "{pen}{} {}", pixel(*x), pixel(*y));
+    }
+    path + "Z"
+}
+
+/// A zigzag with straight ends.
+fn coil(a: Point, b: Point) -> String {
+    let side = normal(unit(minus(b, a)));
+    let turns = ((length(minus(b, a)) / 8.0).round() as i32).clamp(4, 12);
+    let mut path = format!("M{} {}", pixel(a[0]), pixel(a[1]));
+    let mut to = |p: Point| {
+        let _ = write!(path, "L{} {}", pixel(p[0]), pixel(p[1]));
+    };
+    to(between(a, b, 0.15));
+    for k in 0..turns {
+        let share = 0.15 + 0.7 * (f64::from(k) + 0.5) / f64::from(turns);
+        let swing = if k % 2 == 0 { 7.0 } else { -7.0 };
+        to(shifted(between(a, b, share), side, swing));
+    }
+    to(between(a, b, 0.85));
+    to(b);
+    path
+}
+
+fn line(a: Point, b: Point) -> String {
+    format!(
+        "M{} {}L{} {}",
+        pixel(a[0]),
+        pixel(a[1]),
+        pixel(b[0]),
+        pixel(b[1])
+    )
+}
+
+/// An arrow head at `tip`.
+fn head(tail: Point, tip: Point, size: f64) -> String {
+    let along = unit(minus(tip, tail));
+    let side = normal(along);
+    let back = shifted(tip, along, -size);
+    let (left, right) = (
+        shifted(back, side, 0.6 * size),
+        shifted(back, side, -0.6 * size),
+    );
+    line(left, tip) + &line(tip, right)
+}
+
+fn minus(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn shifted(p: Point, direction: Point, by: f64) -> Point {
+    [p[0] + by * direction[0], p[1] + by * direction[1]]
+}
+
+fn between(a: Point, b: Point, share: f64) -> Point {
+    shifted(a, minus(b, a), share)
+}
+
+fn center(points: &[Point]) -> Point {
+    let sum = points
+        .iter()
+        .fold([0.0; 2], |s, p| [s[0] + p[0], s[1] + p[1]]);
+    sum.map(|s| s / points.len() as f64)
+}
+
+fn length([x, y]: Point) -> f64 {
+    x.hypot(y)
+}
+
+fn unit(p: Point) -> Point {
+    let long = length(p);
+    if long > 0.0 {
+        p.map(|c| c / long)
+    } else {
+        [1.0, 0.0]
+    }
+}
+
+fn normal([x, y]: Point) -> Point {
+    [y, -x]
+}
+
+fn all_finite(points: &[Point]) -> bool {
+    points.iter().flatten().all(|c| c.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_four_bar_is_drawn_to_scale() {
+        let places = Places {
+            links: vec![
+                ("crank".to_owned(), vec![[0.0, 0.0], [0.0, 0.01]]),
+                ("coupler".to_owned(), vec![[0.0, 0.01], [0.03, 0.01]]),
+            ],
+            marks: vec![("<O1>".to_owned(), [0.0, 0.0], Some(true))],
+            ..Places::default()
+        };
+        let view = View::around(&places).unwrap();
+        let [a, b] = [view.at([0.0, 0.0]), view.at([0.03, 0.01])];
+        assert!(((b[0] - a[0]) / (a[1] - b[1]) - 3.0).abs() < 1e-9);
+        let svg = mechanism(&places).unwrap();
+        assert!(svg.contains("&lt;O1&gt;") && !svg.contains("<O1>"));
+        assert!(svg.contains("mm</text>"));
+    }
+
+    #[test]
+    fn nothing_and_everything_at_one_place() {
+        assert_eq!(mechanism(&Places::default()), None);
+        let one = Places {
+            slides: vec![("mass".to_owned(), [0.0, 0.0], [1.0, 0.0])],
+            springs: vec![("k".to_owned(), [0.0, 0.0], [0.0, 0.0], false)],
+            ..Places::default()
+        };
+        let svg = mechanism(&one).unwrap();
+        assert!(svg.contains("not to scale") && !svg.contains("NaN"));
+        let broken = Places {
+            links: vec![("a".to_owned(), vec![[f64::NAN, 0.0], [1.0, 0.0]])],
+            slides: vec![("b".to_owned(), [0.0, 1.0], [0.0, 1.0])],
+            ..Places::default()
+        };
+        assert!(!mechanism(&broken).unwrap().contains("NaN"));
+    }
+}

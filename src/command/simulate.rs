@@ -1,0 +1,345 @@
+//! `flexure simulate`: a run on the tape, as a table and as a picture.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use flexure::codegen::report;
+use flexure::runtime::simulate::{Breakdown, Ending, Simulation, Summary, simulate};
+use flexure::runtime::system::System;
+
+use super::output::{OutputFile, cannot_write};
+use super::plot::page::{Page, Row, page};
+use super::plot::panels::{Column, choose};
+use super::plot::{figure, scale};
+use super::recording::{Recorded, Recording};
+use super::settings::{Chosen, Settings, non_negative_time, time, tolerance};
+use super::terminal::Terminal;
+use super::Failure;
+
+/// Simulate a model and write its motion as a table (CSV) and as a picture
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  flexure simulate models/double_rocker.flex --until 20ms -o motion.csv --plot motion.html
+  flexure simulate models/double_rocker.flex --until 10ms --use table2 --set Fp=15N --plot m.svg
+  flexure simulate models/pendulum.flex --until 2s --dt 0.1ms --every 10ms > pendulum.csv
+
+The table: first column t, then every state, then every output; SI units, 17 significant digits.
+It goes to standard output if neither -o nor --plot is given. A run that fails keeps its rows.")]
+pub struct Arguments {
+    #[command(flatten)]
+    settings: Settings,
+    /// End of the run, as in 20ms
+    #[arg(long, value_name = "T", value_parser = non_negative_time)]
+    until: f64,
+    /// Fixed steps of this length (classical Runge–Kutta) instead of adaptive ones
+    #[arg(long, value_name = "H", value_parser = time, conflicts_with = "rtol")]
+    dt: Option<f64>,
+    /// Relative tolerance of the adaptive steps
+    #[arg(long, value_name = "R", value_parser = tolerance, default_value = "1e-8")]
+    rtol: f64,
+    /// Time between rows; 0 for a row per step of the integrator [default: 1/2000 of the run]
+    #[arg(long, value_name = "DT", value_parser = non_negative_time)]
+    every: Option<f64>,
+    /// Add columns of energy: kinetic, potential, dissipated, supplied, and their balance
+    #[arg(long)]
+    energy: bool,
+    /// File for the table; `-` is standard output
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: Option<PathBuf>,
+    /// Picture of the motion (.svg), or a page with the mechanism and its equations (.html)
+    #[arg(long, value_name = "OUT.svg|.html", value_parser = picture)]
+    plot: Option<PathBuf>,
+}
+
+const DEFAULT_ROWS: f64 = 2000.0;
+/// Stands for standard output.
+const STDOUT: &str = "-";
+
+fn picture(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    match path.extension().and_then(|extension| extension.to_str()) {
+        Some("svg" | "html") => Ok(path),
+        _ => Err("a picture is a file that ends in .svg or .html".to_owned()),
+    }
+}
+
+/// Does it.
+///
+/// # Errors
+///
+/// If the call does not fit the model, the model is wrong, the run fails, or a file cannot be
+/// written. What there is of a failed run is written all the same.
+pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
+    check_files(arguments)?;
+    let chosen = arguments.settings.choose(terminal)?;
+    let system = chosen.design.prepare().map_err(Failure::model)?;
+    // Files are opened before the run, so that a wrong place shows at once.
+    let table_path = arguments
+        .output
+        .as_deref()
+        .filter(|path| *path != Path::new(STDOUT));
+    let mut table = table_path.map(OutputFile::create).transpose()?;
+    let plot = arguments
+        .plot
+        .as_deref()
+        .map(OutputFile::create)
+        .transpose()?;
+    let mut stdout = io::BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let to_stdout = table.is_none() && (arguments.output.is_some() || plot.is_none());
+    let writer: Option<&mut dyn Write> = match &mut table {
+        Some(file) => Some(file),
+        None if to_stdout => Some(&mut stdout),
+        None => None,
+    };
+    let bar = terminal.progress();
+    let mut recording = Recording::new(writer, plot.is_some(), bar, arguments.until);
+    let outcome = simulation(arguments, &chosen, &system).run_with(&mut recording);
+    let recorded = recording.finish();
+    if let Some(why) = &recorded.failure {
+        return Err(match (why.kind(), table_path) {
+            (io::ErrorKind::BrokenPipe, None) => Failure::ReaderGone,
+            (_, path) => cannot_write(path.unwrap_or(Path::new("standard output")), why),
+        });
+    }
+    if recorded.rows > 0 {
+        if let Some(plot) = plot {
+            let settings = arguments.described(&chosen, &recorded, &outcome);
+            plot.finish_with(&draw(arguments, &chosen, &recorded, &outcome, settings)?)?;
+        }
+        if let Some(table) = table {
+            table.finish()?;
+        }
+    }
+    for path in [table_path, arguments.plot.as_deref()]
+        .into_iter()
+        .flatten()
+    {
+        if recorded.rows > 0 {
+            terminal.note(format_args!("wrote {}", path.display()));
+        }
+    }
+    match outcome {
+        Ok(summary) => {
+            if let Ending::Stopped(why) = &summary.ending {
+                terminal.note(format_args!("ended at t = {}: {why}", seconds(summary.end)));
+            }
+            Ok(())
+        }
+        Err(breakdown) => {
+            if recorded.rows > 0 {
+                terminal.note(format_args!(
+                    "the run failed at t = {}; its {} rows until then are kept",
+                    seconds(breakdown.time),
+                    recorded.rows
+                ));
+            }
+            Err(Failure::model(breakdown.diagnostic()))
+        }
+    }
+}
+
+/// Refuses files that would overwrite each other or the model.
+fn check_files(arguments: &Arguments) -> Result<(), Failure> {
+    let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    };
+    for path in [&arguments.output, &arguments.plot].into_iter().flatten() {
+        if same(path, &arguments.settings.file) {
+            return Err(Failure::usage(format!(
+                "writing `{}` would overwrite the model",
+                path.display()
+            )));
+        }
+    }
+    match (&arguments.output, &arguments.plot) {
+        (Some(output), Some(plot)) if same(output, plot) => Err(Failure::usage(format!(
+            "`{}` cannot be both the table and the picture",
+            plot.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn simulation<'s, S: System>(
+    arguments: &Arguments,
+    chosen: &Chosen,
+    system: &'s S,
+) -> Simulation<'s, S> {
+    let mut simulation = simulate(system)
+        .until(arguments.until)
+        .energy(arguments.energy);
+    simulation = match arguments.dt {
+        Some(step) => simulation.dt(step),
+        None => simulation.rtol(arguments.rtol),
+    };
+    if let Some(interval) = arguments.row_interval() {
+        simulation = simulation.every(interval);
+    }
+    for &(index, value) in &chosen.inputs {
+        simulation = simulation.input(index, value);
+    }
+    simulation
+}
+
+impl Arguments {
+    /// Time between rows in s; `None` for a row per step.
+    fn row_interval(&self) -> Option<f64> {
+        match self.every {
+            Some(interval) => Some(interval).filter(|&interval| interval > 0.0),
+            None => Some(self.until / DEFAULT_ROWS).filter(|&interval| interval > 0.0),
+        }
+    }
+
+    /// How the run was made, for its page.
+    fn described(
+        &self,
+        chosen: &Chosen,
+        recorded: &Recorded,
+        outcome: &Result<Summary, Breakdown>,
+    ) -> Vec<(String, String)> {
+        let method = match self.dt {
+            Some(step) => format!("Runge–Kutta of order 4, steps of {}", seconds(step)),
+            None => format!(
+                "Dormand–Prince 8(5,3), relative tolerance {}",
+                scale::number(self.rtol, 6)
+            ),
+        };
+        let rows = match self.row_interval() {
+            Some(interval) => format!("{}, every {}", recorded.rows, seconds(interval)),
+            None => format!("{}, one per step", recorded.rows),
+        };
+        let mut settings = vec![
+            (
+                "model file".to_owned(),
+                self.settings.file.display().to_string(),
+            ),
+            ("until".to_owned(), seconds(self.until)),
+            ("method".to_owned(), method),
+            ("rows".to_owned(), rows),
+        ];
+        for set in &self.settings.use_sets {
+            settings.push(("parameter set".to_owned(), set.clone()));
+        }
+        for (index, value) in &chosen.inputs {
+            let input = &chosen.design.model().inputs()[*index];
+            let held = scale::with_unit(*value, &input.unit, 8);
+            settings.push((format!("input {}", input.name), held));
+        }
+        if let Ok(summary) = outcome {
+            let statistics = summary.statistics;
+            let counts = [
+                ("steps", statistics.accepted),
+                ("steps rejected", statistics.rejected),
+                ("evaluations", statistics.evaluations),
+                ("kinks of drives", statistics.kinks),
+                ("events", statistics.events),
+            ];
+            settings.extend(counts.map(|(what, count)| (what.to_owned(), count.to_string())));
+        }
+        settings
+    }
+}
+
+fn seconds(value: f64) -> String {
+    scale::with_unit(value, "s", 6)
+}
+
+/// The picture or the page.
+fn draw(
+    arguments: &Arguments,
+    chosen: &Chosen,
+    recorded: &Recorded,
+    outcome: &Result<Summary, Breakdown>,
+    settings: Vec<(String, String)>,
+) -> Result<String, Failure> {
+    let model = chosen.design.model();
+    let states = model.equations().states.len();
+    let columns: Vec<Column> = recorded
+        .headings
+        .iter()
+        .zip(&recorded.columns)
+        .enumerate()
+        .skip(1)
+        .map(|(index, (heading, values))| Column {
+            name: heading.name.to_string(),
+            unit: heading.unit.to_string(),
+            output: index > states,
+            values: values.clone(),
+        })
+        .collect();
+    let time = recorded.columns.first().map_or(&[][..], Vec::as_slice);
+    let panels = choose(&columns);
+    let as_page = arguments
+        .plot
+        .as_ref()
+        .is_some_and(|path| path.extension().is_some_and(|e| e == "html"));
+    if !as_page {
+        return Ok(figure::standalone(model.name(), time, &panels));
+    }
+    let mut assembled = chosen.design.assembled().map_err(Failure::model)?;
+    let ended_early = match outcome {
+        Ok(summary) => match &summary.ending {
+            Ending::Stopped(why) => Some(format!("Ended at {}: {why}", seconds(summary.end))),
+            _ => None,
+        },
+        Err(breakdown) => Some(format!(
+            "The run failed at {}: {}",
+            seconds(breakdown.time),
+            breakdown.message
+        )),
+    };
+    Ok(page(&Page {
+        title: model.name(),
+        doc: &model.equations().doc,
+        places: assembled.places(),
+        facts: assembled.facts(),
+        time,
+        panels: &panels,
+        params: params(chosen),
+        results: results(recorded),
+        equations: &report::text(model.equations()),
+        settings,
+        warnings: model.warnings().iter().map(ToString::to_string).collect(),
+        ended_early,
+    }))
+}
+
+fn params(chosen: &Chosen) -> Vec<Row> {
+    let params = chosen.design.model().params();
+    params
+        .iter()
+        .zip(chosen.design.values())
+        .map(|(param, &value)| Row {
+            name: param.name.to_string(),
+            value: scale::with_unit(value, &param.unit, 10),
+            meaning: param.meaning.to_string(),
+            changed: param.start != Some(value),
+        })
+        .collect()
+}
+
+fn results(recorded: &Recorded) -> Vec<[String; 6]> {
+    let span = recorded.span();
+    let columns = recorded.headings.iter().zip(&recorded.sums).skip(1);
+    columns
+        .map(|(heading, sum)| {
+            let size = sum.least.abs().max(sum.greatest.abs());
+            let unit = scale::display_unit(&heading.unit, size);
+            let cell = |value: f64| {
+                let number = scale::number(value / unit.factor, 6);
+                format!("{number} {}", unit.name).trim_end().to_owned()
+            };
+            [
+                heading.name.to_string(),
+                cell(sum.first),
+                cell(sum.last),
+                cell(sum.least),
+                cell(sum.greatest),
+                cell(sum.mean(span)),
+            ]
+        })
+        .collect()
+}
