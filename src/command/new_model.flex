@@ -47,5 +47,5 @@ spring stack between ground and M along (1, 0) { stiffness = ka, damping = ca, e
 // What to look at.
 output drive    = extension              "extension of the stack alone"
 output position = platform.M.x - width/2 "travel of the platform"
-output speed    = platform.M.v_x
+output speed    = platform.M.vx
 output force    = stack.force            "force of the stack"
