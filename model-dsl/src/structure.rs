@@ -125,8 +125,12 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
         return Err(errors);
     }
     let attachments: Vec<Attachment> = attachments.into_iter().flatten().collect();
-    let mut structure =
-        Structure { attachments, coordinates: Vec::new(), asked: Vec::new(), loops: Vec::new() };
+    let mut structure = Structure {
+        attachments,
+        coordinates: Vec::new(),
+        asked: Vec::new(),
+        loops: Vec::new(),
+    };
 
     let mut open: Vec<OpenLoop> = Vec::new();
     for (pin, first, second) in joints {
@@ -212,8 +216,10 @@ fn open_loop(
     let place = &model.pins[pin];
     let ways = [first, second].map(|m| structure.way_to_ground(place.members[m].0));
     let names = |bodies: &[BodyId]| {
-        let names: Vec<String> =
-            bodies.iter().map(|b| format!("`{}`", model.bodies[*b].name)).collect();
+        let names: Vec<String> = bodies
+            .iter()
+            .map(|b| format!("`{}`", model.bodies[*b].name))
+            .collect();
         names.join(", ")
     };
     let mut members = (first, second);
@@ -255,7 +261,11 @@ fn open_loop(
         .at(model.source.site(place.span))
         .hint("connect links and slides by a `spring` or a `contact`, or describe the loop by pinned links"));
     }
-    Ok(OpenLoop { pin, members, links: all })
+    Ok(OpenLoop {
+        pin,
+        members,
+        links: all,
+    })
 }
 
 /// Chooses coordinates and the order of loops.
@@ -332,7 +342,10 @@ fn choose(
         coordinates.push(next);
     }
     coordinates.sort_unstable();
-    structure.asked = coordinates.iter().map(|body| asked.contains(body)).collect();
+    structure.asked = coordinates
+        .iter()
+        .map(|body| asked.contains(body))
+        .collect();
     structure.coordinates = coordinates;
     if structure.coordinates.is_empty() {
         return Err(vec![
@@ -345,7 +358,10 @@ fn choose(
 }
 
 fn loop_names(model: &Model, links: &[BodyId]) -> String {
-    let names: Vec<&str> = links.iter().map(|b| model.bodies[*b].name.as_str()).collect();
+    let names: Vec<&str> = links
+        .iter()
+        .map(|b| model.bodies[*b].name.as_str())
+        .collect();
     names.join("–")
 }
 
@@ -376,8 +392,10 @@ fn dependent_coordinates(model: &Model, stiff: &OpenLoop, asked: &[BodyId]) -> D
         ))
         .at(model.source.site(request.span))
         .hint("ask for one coordinate of this loop less"),
-        None => Diagnostic::error(format!("the loop {names} is over-constrained: its links cannot move against each other"))
-            .at(model.source.site(model.pins[stiff.pin].span))
-            .hint("remove a link or a pin of this loop"),
+        None => Diagnostic::error(format!(
+            "the loop {names} is over-constrained: its links cannot move against each other"
+        ))
+        .at(model.source.site(model.pins[stiff.pin].span))
+        .hint("remove a link or a pin of this loop"),
     }
 }

@@ -1,0 +1,332 @@
+//! The ends of the derivation: drives and checks of params at its start, outputs and the whole of
+//! [`Equations`] at its end.
+
+use flexure_runtime::diagnostic::Diagnostic;
+
+use crate::equations::{Discrete, Equations, Event, Failure, Kink, Line, Output, Shown, ShownUnit};
+use crate::model::BodyKind;
+use crate::symbolic::{Expr, Function};
+
+use super::inertia::Inertia;
+use super::laws::Laws;
+use super::motion::Motion;
+use super::names::{accented, accented_latex};
+use super::{Definition, Derivation, order};
+
+impl Derivation<'_> {
+    /// Params must be finite, and bodies have the sizes and masses of real things.
+    pub(super) fn params(&mut self) {
+        for param in &self.model.params {
+            let value = self.g.of(param.symbol);
+            let size = self.g.function(Function::Abs, &[value]);
+            let most = self.g.integer(10);
+            let most = self.g.powi(most, 300);
+            let margin = self.g.sub(most, size);
+            let failure = Failure {
+                message: format!("the param `{}` is {{0}}", param.name),
+                hint: Some("it must be a finite number".to_owned()),
+                site: Some(self.model.source.site(param.span)),
+                values: vec![Shown {
+                    value,
+                    unit: ShownUnit::Number,
+                }],
+            };
+            self.check(margin, true, failure);
+        }
+        for quantity in &self.model.lets {
+            self.define(quantity.symbol, quantity.value, quantity.doc.clone());
+        }
+        for body in &self.model.bodies {
+            if let BodyKind::Link(link) = &body.kind {
+                let failure = self.failure(
+                    format!("the length of `{}` is {{0}}", body.name),
+                    "it must be above zero",
+                    body.span,
+                    vec![Shown {
+                        value: link.length,
+                        unit: ShownUnit::Metre,
+                    }],
+                );
+                self.check(link.length, false, failure);
+            }
+            for mass in &body.masses {
+                let shown = [
+                    (mass.mass, "mass", "kg"),
+                    (mass.inertia, "moment of inertia", "kg*m^2"),
+                ];
+                for (value, what, unit) in shown {
+                    let failure = self.failure(
+                        format!("the {what} of `{}` is {{0}}", body.name),
+                        "it must not be below zero",
+                        mass.span,
+                        vec![Shown {
+                            value,
+                            unit: ShownUnit::Other(unit),
+                        }],
+                    );
+                    self.check(value, true, failure);
+                }
+            }
+        }
+    }
+
+    /// Drives: their memory, values, rates and kinks.
+    pub(super) fn drives(&mut self) {
+        let mut lines = Vec::new();
+        for drive in &self.model.drives {
+            self.conditions(&drive.waveform.conditions, drive.span);
+            let first = self.discretes.len();
+            for memory in &drive.waveform.memory {
+                self.discretes.push(Discrete {
+                    name: format!("{}.{}", drive.name, memory.name),
+                    meaning: format!("segment of the drive `{}`", drive.name),
+                    symbol: memory.symbol,
+                    initial: memory.initial,
+                    accepted: None,
+                    turning: false,
+                });
+            }
+            let value = match &drive.waveform.kink {
+                Some(kink) => {
+                    self.kinks.push(Kink {
+                        name: drive.name.clone(),
+                        next: kink.next,
+                        updates: (first..).zip(kink.updates.iter().copied()).collect(),
+                        jumps: kink.jumps,
+                    });
+                    drive.waveform.value
+                }
+                None => self.switched(drive.waveform.value, &drive.name),
+            };
+            self.define(drive.symbol, value, format!("drive `{}`", drive.name));
+            let rates = self.time_rates();
+            let rate = self.g.derivative(value, &rates);
+            let rate = if self.g.as_number(rate).is_some() {
+                rate
+            } else {
+                let symbol = self.names.symbol_with_latex(
+                    &mut self.g,
+                    &accented(&drive.name, '\u{307}'),
+                    &accented_latex(&drive.name, "dot"),
+                );
+                self.define(symbol, rate, format!("rate of the drive `{}`", drive.name));
+                self.g.of(symbol)
+            };
+            self.drive_rates.insert(drive.symbol, rate);
+            self.attach_gradient(drive.symbol, value);
+            let symbol = self.g.symbol_text(drive.symbol).to_owned();
+            let latex = self.g.symbol_latex(drive.symbol).to_owned();
+            lines.push(Line::Written {
+                text: format!("{symbol}(t) = {}", drive.written),
+                latex: format!(
+                    "{latex}(t) = \\text{{{}}}",
+                    crate::notation::escape_latex(&drive.written)
+                ),
+            });
+        }
+        self.section("Drives", lines);
+    }
+
+    /// All that was found, in one piece.
+    pub(super) fn finish(
+        mut self,
+        inertia: &Inertia,
+        laws: Laws,
+        mut motion: Motion,
+    ) -> Result<Equations, Vec<Diagnostic>> {
+        if !self.errors.is_empty() {
+            return Err(self.errors);
+        }
+        self.start(&laws, &mut motion);
+        self.inertia_checks(inertia);
+        self.stops();
+        let outputs: Vec<Output> = self
+            .model
+            .outputs
+            .iter()
+            .map(|output| Output {
+                name: output.name.clone(),
+                unit: output.dimension.si_unit(),
+                meaning: output.doc.clone(),
+                value: output.value,
+            })
+            .collect();
+        let summary = self.summary(inertia);
+        let drawing = self.drawing();
+        self.constants_section();
+        if !self.errors.is_empty() {
+            return Err(self.errors);
+        }
+        let definitions = match order::sorted(&self.g, std::mem::take(&mut self.definitions)) {
+            Ok(definitions) => definitions,
+            Err(cycle) => {
+                let mut names: Vec<String> = cycle
+                    .iter()
+                    .map(|s| format!("`{}`", self.g.symbol_text(*s)))
+                    .collect();
+                names.push(names[0].clone());
+                return Err(vec![
+                    Diagnostic::error(format!(
+                        "a quantity depends on itself: {}",
+                        names.join(" ← ")
+                    ))
+                    .hint("let forces and drives use time, positions, rates and the forces of other elements"),
+                ]);
+            }
+        };
+        Ok(Equations {
+            name: self.model.name.clone(),
+            doc: self.model.doc.clone(),
+            time: self.model.time,
+            params: self.model.params.clone(),
+            sets: self.model.sets.clone(),
+            inputs: self.model.inputs.clone(),
+            definitions,
+            partials: self.partials,
+            directions: self.directions,
+            states: motion.states,
+            discretes: self.discretes,
+            kinks: self.kinks,
+            events: self.events,
+            outputs,
+            energy: motion.energy,
+            loops: self.loops,
+            checks: self.checks,
+            warnings: self.warnings,
+            report: self.report,
+            summary,
+            drawing,
+            graph: self.g,
+        })
+    }
+
+    /// A coordinate needs inertia of its own also for the params at hand.
+    fn inertia_checks(&mut self, inertia: &Inertia) {
+        for index in 0..self.coordinates.len() {
+            let mut map = self.assembled_map();
+            let entry = self.expand_with(inertia.matrix[index][index], &mut map);
+            let body = self.coordinates[index].body;
+            let failure = self.failure(
+                format!(
+                    "`{}` can move but has no mass",
+                    self.model.bodies[body].name
+                ),
+                "give it a mass above zero, or join it to a body that has one",
+                self.model.bodies[body].span,
+                Vec::new(),
+            );
+            self.check(entry, false, failure);
+        }
+    }
+
+    fn stops(&mut self) {
+        for stop in &self.model.stops {
+            self.events.push(Event {
+                name: stop.reason.clone(),
+                function: stop.margin,
+                state_updates: Vec::new(),
+                discrete_updates: Vec::new(),
+                stop: Some(stop.reason.clone()),
+            });
+        }
+    }
+
+    /// Definitions of params only that the printed equations use and that no other section shows.
+    fn constants_section(&mut self) {
+        let shown: Vec<Expr> = self
+            .report
+            .iter()
+            .flat_map(|section| &section.lines)
+            .filter_map(|line| match line {
+                Line::Equation { right, .. } => Some(*right),
+                Line::Text(_) | Line::Written { .. } => None,
+            })
+            .collect();
+        let mut lines = Vec::new();
+        let mut wanted = self.g.symbols_in(&shown);
+        let mut at = 0;
+        let mut seen: std::collections::HashSet<_> = wanted.iter().copied().collect();
+        let mut rows = Vec::new();
+        while at < wanted.len() {
+            let symbol = wanted[at];
+            at += 1;
+            let definition = self
+                .definitions
+                .iter()
+                .find_map(|definition| match definition {
+                    Definition::Value {
+                        symbol: known,
+                        value,
+                        meaning,
+                    } if *known == symbol => Some((*value, meaning.clone())),
+                    _ => None,
+                });
+            let Some((value, meaning)) = definition else {
+                continue;
+            };
+            if !self.depends_on_params_only(value) {
+                continue;
+            }
+            rows.push((symbol, value, meaning));
+            for inner in self.g.symbols_in(&[value]) {
+                if seen.insert(inner) {
+                    wanted.push(inner);
+                }
+            }
+        }
+        rows.sort_by_key(|(symbol, ..)| *symbol);
+        let titles: Vec<String> = self
+            .report
+            .iter()
+            .flat_map(|section| &section.lines)
+            .filter_map(|line| match line {
+                Line::Equation { text, .. } => Some(text.clone()),
+                Line::Text(_) | Line::Written { .. } => None,
+            })
+            .collect();
+        for (symbol, value, meaning) in rows {
+            if titles
+                .iter()
+                .any(|title| title == self.g.symbol_text(symbol))
+            {
+                continue;
+            }
+            self.equation_line(&mut lines, symbol, value, &meaning);
+        }
+        self.section("Constants", lines);
+    }
+
+    fn depends_on_params_only(&self, expr: Expr) -> bool {
+        let mut stack = self.g.symbols_in(&[expr]);
+        let mut seen = std::collections::HashSet::new();
+        while let Some(symbol) = stack.pop() {
+            if !seen.insert(symbol) || self.model.params.iter().any(|p| p.symbol == symbol) {
+                continue;
+            }
+            let definition = self
+                .definitions
+                .iter()
+                .find_map(|definition| match definition {
+                    Definition::Value {
+                        symbol: known,
+                        value,
+                        ..
+                    } if *known == symbol => Some(*value),
+                    _ => None,
+                });
+            match definition {
+                Some(value) => stack.extend(self.g.symbols_in(&[value])),
+                None => {
+                    let solved = self.definitions.iter().any(|definition| match definition {
+                        Definition::Solve(solve) => solve.unknowns.contains(&symbol),
+                        Definition::Value { .. } => false,
+                    });
+                    if !solved {
+                        return false;
+                    }
+                }
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,172 @@
+//! Summary: what `check` tells about a mechanism.
+
+use crate::equations::{Fact, ShownUnit};
+use crate::model::BodyKind;
+
+use super::Derivation;
+use super::inertia::Inertia;
+
+impl Derivation<'_> {
+    /// Bodies, joints, loops, degrees of freedom, coordinates, closed angles.
+    pub(super) fn summary(&mut self, inertia: &Inertia) -> Vec<Fact> {
+        let mut facts = Vec::new();
+        let mut fact = |subject: &str, words: String, values| {
+            facts.push(Fact {
+                subject: subject.to_owned(),
+                words,
+                values,
+            });
+        };
+        let list = |names: Vec<String>| {
+            if names.is_empty() {
+                "none".to_owned()
+            } else {
+                names.join(", ")
+            }
+        };
+        let links = self.bodies(|kind| matches!(kind, BodyKind::Link(_)));
+        let slides = self.bodies(|kind| matches!(kind, BodyKind::Slide(_)));
+        fact(
+            "links",
+            format!("{}: {}", links.len(), list(links)),
+            Vec::new(),
+        );
+        fact(
+            "slides",
+            format!("{}: {}", slides.len(), list(slides)),
+            Vec::new(),
+        );
+        let pins: Vec<String> = self
+            .model
+            .pins
+            .iter()
+            .map(|pin| {
+                let members: Vec<&str> = pin
+                    .members
+                    .iter()
+                    .map(|(b, _)| self.model.bodies[*b].name.as_str())
+                    .collect();
+                format!("{} ({})", pin.name, members.join(", "))
+            })
+            .collect();
+        fact(
+            "pins",
+            format!("{}: {}", pins.len(), list(pins)),
+            Vec::new(),
+        );
+        let loops: Vec<String> = self.loops.iter().map(|l| l.name.clone()).collect();
+        fact(
+            "loops",
+            format!("{}: {}", loops.len(), list(loops)),
+            Vec::new(),
+        );
+        let freedom = self.coordinates.len();
+        fact("degrees of freedom", freedom.to_string(), Vec::new());
+        for (index, coordinate) in self.coordinates.iter().enumerate() {
+            let body = &self.model.bodies[coordinate.body];
+            let reason = if self.structure.asked[index] {
+                "as asked"
+            } else if self
+                .structure
+                .loops
+                .iter()
+                .any(|l| l.links.contains(&coordinate.body))
+            {
+                "the first link of its loop in the file"
+            } else {
+                "moves on its own"
+            };
+            let start = self.variable(coordinate.body).assembled;
+            let (measure, unit, held) = match &body.kind {
+                BodyKind::Link(link) => (
+                    "angle",
+                    ShownUnit::Degree,
+                    if link.angle.exact {
+                        "exact"
+                    } else {
+                        "held as guessed"
+                    },
+                ),
+                BodyKind::Slide(_) | BodyKind::Ground => ("x", ShownUnit::Metre, "assembled"),
+            };
+            fact(
+                "coordinate",
+                format!("{}.{measure} ({reason}), {held} at {{0}}", body.name),
+                vec![(start, unit)],
+            );
+        }
+        let blocks: Vec<String> = inertia
+            .blocks
+            .iter()
+            .map(|block| {
+                let names: Vec<&str> = block
+                    .iter()
+                    .map(|&i| self.model.bodies[self.coordinates[i].body].name.as_str())
+                    .collect();
+                format!("[{}]", names.join(", "))
+            })
+            .collect();
+        fact(
+            "blocks coupled by inertia",
+            format!("{}: {}", blocks.len(), blocks.join(" ")),
+            Vec::new(),
+        );
+        let mut closed = Vec::new();
+        for link in self
+            .structure
+            .loops
+            .iter()
+            .flat_map(|l| [l.unknowns.0, l.unknowns.1])
+        {
+            let variable = self.variable(link).clone();
+            let BodyKind::Link(shape) = &self.model.bodies[link].kind else {
+                continue;
+            };
+            let name = self.model.bodies[link].name.clone();
+            closed.push(match shape.angle.value {
+                Some(guess) => {
+                    let off = self.g.sub(variable.assembled, guess);
+                    let values = vec![
+                        (variable.assembled, ShownUnit::Degree),
+                        (off, ShownUnit::Degree),
+                    ];
+                    (
+                        format!("{name}.angle closes at {{0}}, {{1}} from the drawn angle"),
+                        values,
+                    )
+                }
+                None => (
+                    format!("{name}.angle closes at {{0}}"),
+                    vec![(variable.assembled, ShownUnit::Degree)],
+                ),
+            });
+        }
+        for (words, values) in closed {
+            facts.push(Fact {
+                subject: "closed angle".to_owned(),
+                words,
+                values,
+            });
+        }
+        for kink in self.kinks.iter().filter(|kink| kink.jumps) {
+            facts.push(Fact {
+                subject: "note".to_owned(),
+                words: format!(
+                    "the drive `{}` may jump; a jump gives no impulse, dampers do not see it",
+                    kink.name
+                ),
+                values: Vec::new(),
+            });
+        }
+        facts
+    }
+
+    fn bodies(&self, wanted: impl Fn(&BodyKind) -> bool) -> Vec<String> {
+        self.model
+            .bodies
+            .iter()
+            .filter(|b| wanted(&b.kind))
+            .map(|b| b.name.clone())
+            .collect()
+    }
+}
