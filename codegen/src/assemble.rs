@@ -12,7 +12,7 @@ use flexure_runtime::failure::{Failure, Unit};
 use flexure_runtime::system::{Causality, Variable};
 
 use crate::directions::{Identities, identities};
-use crate::jacobian::derivatives;
+use crate::jacobian::{Known, derivatives};
 use crate::lower::{Binding, Context, Lowering};
 use crate::program::{Check, Event, Function, Message, Program, Set, Solve, Symbols};
 use crate::values::{Node, Stage, Value};
@@ -67,12 +67,18 @@ impl Symbolic {
                 Definition::Solve(solve) => definitions.extend(&solve.definitions),
             }
         }
+        let mut known = Known::new();
+        for partial in &equations.partials {
+            let partials = known.entry(partial.symbol).or_default();
+            partials.insert(partial.state, partial.value);
+        }
         let mut derived = Vec::new();
         let mut jacobian = Vec::new();
         let rates: Vec<Expr> = equations.states.iter().map(|state| state.rate).collect();
         let relevant = relevant(graph, &definitions, &rates);
         for (column, state) in equations.states.iter().enumerate() {
-            let column_values = derivatives(graph, &relevant, &rates, state.symbol, &mut derived);
+            let column_values =
+                derivatives(graph, &relevant, &rates, state.symbol, &known, &mut derived);
             for (row, value) in column_values.into_iter().enumerate() {
                 if !graph.is_zero(value) {
                     jacobian.push((row, column, value));
@@ -143,6 +149,7 @@ fn solve_jacobian(
                 &solve.definitions,
                 &solve.residuals,
                 *unknown,
+                &Known::new(),
                 derived,
             )
         })
@@ -163,6 +170,7 @@ fn roots(equations: &Equations) -> Vec<Expr> {
             roots.extend(solve.failure.values.iter().map(|shown| shown.value));
         }
     }
+    roots.extend(equations.partials.iter().map(|partial| partial.value));
     for direction in &equations.directions {
         roots.extend([direction.cos, direction.sin]);
     }
@@ -222,13 +230,6 @@ fn fixed_symbols(
             .all(|inner| fixed[inner.index()]);
     }
     fixed
-}
-
-/// Whether a state is part of the configuration, by its name.
-fn is_coordinate(name: &str) -> bool {
-    [".angle", ".travel", ".x", ".y"]
-        .iter()
-        .any(|end| name.ends_with(end))
 }
 
 struct Builder<'e> {
@@ -494,7 +495,7 @@ fn bindings(
             start: None,
         });
         symbols.states.push(text(state.symbol));
-        let stage = if is_coordinate(&state.name) {
+        let stage = if state.is_coordinate {
             Stage::Configuration
         } else {
             Stage::State

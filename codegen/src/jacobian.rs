@@ -3,7 +3,13 @@
 //! Each definition that changes with the variable gets a definition of its derivative, so that the
 //! graph grows by about its own size per variable instead of being written out.
 
+use std::collections::HashMap;
+
 use flexure_model_dsl::symbolic::{Expr, Graph, Node, Rates, Symbol};
+
+/// Derivatives that are known without differentiating a definition: by defined symbol, for each
+/// variable of which it depends.
+pub(crate) type Known = HashMap<Symbol, HashMap<Symbol, Expr>>;
 
 /// Derivatives of `roots` by `variable`, with all other given quantities held. `definitions` come
 /// each after what it uses; definitions of derivatives are appended to `derived`.
@@ -12,11 +18,18 @@ pub(crate) fn derivatives(
     definitions: &[(Symbol, Expr)],
     roots: &[Expr],
     variable: Symbol,
+    known: &Known,
     derived: &mut Vec<(Symbol, Expr)>,
 ) -> Vec<Expr> {
     let one = graph.one();
     let mut rates = Rates::from([(variable, one)]);
     for &(symbol, value) in definitions {
+        if let Some(partials) = known.get(&symbol) {
+            if let Some(&partial) = partials.get(&variable) {
+                rates.insert(symbol, partial);
+            }
+            continue;
+        }
         let derivative = graph.derivative(value, &rates);
         if graph.is_zero(derivative) {
             continue;
