@@ -310,17 +310,18 @@ pub struct Fact {
     pub values: Vec<(Expr, ShownUnit)>,
 }
 
-/// The mechanism's shape as assembled, of params.
+/// The mechanism's shape as assembled, of params. What has no place in the model (a slide that is
+/// not located, ground named without a point) has none here: a picture puts it where it fits.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     /// Bodies.
     pub shapes: Vec<Shape>,
     /// Named points: pins and points.
     pub marks: Vec<Mark>,
-    /// Springs and stacks as lines from end to end.
-    pub springs: Vec<(String, [Expr; 2], [Expr; 2], bool)>,
-    /// Contacts: name, place, direction of sliding.
-    pub contacts: Vec<(String, [Expr; 2], [Expr; 2])>,
+    /// Springs and stacks.
+    pub springs: Vec<DrawnSpring>,
+    /// Contacts.
+    pub contacts: Vec<DrawnContact>,
 }
 
 /// A body's outline.
@@ -328,8 +329,43 @@ pub struct Drawing {
 pub enum Shape {
     /// A link: its name and corner points in m (a line for two).
     Link(String, Vec<[Expr; 2]>),
-    /// A slide: its name, its place and the direction of its guide.
-    Slide(String, [Expr; 2], [Expr; 2]),
+    /// A slide: its name, its place if it has one, and the direction of its guide.
+    Slide(String, Option<[Expr; 2]>, [Expr; 2]),
+}
+
+/// Where a spring or a contact ends.
+#[derive(Clone, Debug)]
+pub struct DrawnEnd {
+    /// The body: `ground`, a link or a slide.
+    pub body: String,
+    /// The place in m, if it has one.
+    pub at: Option<[Expr; 2]>,
+}
+
+/// A spring or a stack.
+#[derive(Clone, Debug)]
+pub struct DrawnSpring {
+    /// Its name.
+    pub name: String,
+    /// Its two ends.
+    pub ends: [DrawnEnd; 2],
+    /// Unit vector from the first end to the second of a spring that acts along a direction.
+    pub axis: Option<[Expr; 2]>,
+    /// Whether it is a ceramic stack.
+    pub stack: bool,
+}
+
+/// A contact.
+#[derive(Clone, Debug)]
+pub struct DrawnContact {
+    /// Its name.
+    pub name: String,
+    /// The bodies that touch.
+    pub ends: [DrawnEnd; 2],
+    /// Direction of sliding.
+    pub along: [Expr; 2],
+    /// Direction of the normal force on the first, if it has one.
+    pub normal: Option<[Expr; 2]>,
 }
 
 /// A point in the drawing.

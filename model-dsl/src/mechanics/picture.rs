@@ -1,7 +1,7 @@
 //! Picture: the mechanism's shape in the assembled configuration.
 
-use crate::equations::{Drawing, Mark, Shape};
-use crate::model::{BodyId, BodyKind, GROUND, Local};
+use crate::equations::{Drawing, DrawnContact, DrawnEnd, DrawnSpring, Mark, Shape};
+use crate::model::{Axis, BodyId, BodyKind, End, GROUND, Local};
 use crate::symbolic::Expr;
 
 use super::Derivation;
@@ -34,10 +34,10 @@ impl Derivation<'_> {
                     drawing.shapes.push(Shape::Link(name, corners));
                 }
                 BodyKind::Slide(_) => {
-                    let at = self.assembled_at(body, Local::Cartesian(zero, zero));
-                    let guide = self.guide(body);
-                    let direction = self.position(&guide);
-                    let direction = self.assembled(direction);
+                    let at = self
+                        .has_place(body)
+                        .then(|| self.assembled_at(body, Local::Cartesian(zero, zero)));
+                    let direction = self.assembled_guide(body);
                     drawing.shapes.push(Shape::Slide(name, at, direction));
                 }
                 BodyKind::Ground => {}
@@ -64,28 +64,61 @@ impl Derivation<'_> {
             }
         }
         for spring in self.model.springs.clone() {
-            let ends = [&spring.first, &spring.second].map(|end| {
-                let at = end.at.unwrap_or(Local::Cartesian(zero, zero));
-                self.assembled_at(end.body, at)
+            let axis = match spring.axis {
+                Axis::Line => None,
+                Axis::Fixed(direction) => Some(direction),
+                Axis::Guide(slide) => Some(self.assembled_guide(slide)),
+            };
+            drawing.springs.push(DrawnSpring {
+                name: spring.name,
+                ends: [
+                    self.drawn_end(&spring.first),
+                    self.drawn_end(&spring.second),
+                ],
+                axis,
+                stack: spring.stack,
             });
-            drawing
-                .springs
-                .push((spring.name, ends[0], ends[1], spring.stack));
         }
         for contact in self.model.contacts.clone() {
-            let end = if contact.first.at.is_some() {
-                &contact.first
-            } else {
-                &contact.second
-            };
-            let at = end.at.unwrap_or(Local::Cartesian(zero, zero));
-            let at = self.assembled_at(end.body, at);
-            let guide = self.guide(contact.guide);
-            let direction = self.position(&guide);
-            let direction = self.assembled(direction);
-            drawing.contacts.push((contact.name, at, direction));
+            drawing.contacts.push(DrawnContact {
+                name: contact.name,
+                ends: [
+                    self.drawn_end(&contact.first),
+                    self.drawn_end(&contact.second),
+                ],
+                along: self.assembled_guide(contact.guide),
+                normal: contact.normal,
+            });
         }
         drawing
+    }
+
+    /// Whether the model says where a body is: all but slides that are not located and carry
+    /// nothing that is.
+    fn has_place(&self, body: BodyId) -> bool {
+        match &self.model.bodies[body].kind {
+            BodyKind::Slide(slide) => {
+                let pins = self.model.pins.iter().flat_map(|pin| &pin.members);
+                slide.located
+                    || pins.clone().any(|(member, _)| *member == body)
+                    || self.model.points.iter().any(|point| point.body == body)
+            }
+            BodyKind::Link(_) | BodyKind::Ground => true,
+        }
+    }
+
+    fn drawn_end(&mut self, end: &End) -> DrawnEnd {
+        let at = end.at.filter(|_| self.has_place(end.body));
+        DrawnEnd {
+            body: self.model.bodies[end.body].name.clone(),
+            at: at.map(|at| self.assembled_at(end.body, at)),
+        }
+    }
+
+    fn assembled_guide(&mut self, slide: BodyId) -> [Expr; 2] {
+        let guide = self.guide(slide);
+        let direction = self.position(&guide);
+        self.assembled(direction)
     }
 
     fn assembled_at(&mut self, body: BodyId, at: Local) -> [Expr; 2] {
