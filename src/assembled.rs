@@ -2,7 +2,7 @@
 //!
 //! What simulates has its own, faster `prepare`; this evaluates the equations plainly.
 
-use flexure_model_dsl::equations::{Definition, Equations, Shape, ShownUnit, Solve};
+use flexure_model_dsl::equations::{Definition, DrawnEnd, Equations, Shape, ShownUnit, Solve};
 use flexure_model_dsl::symbolic::{Evaluator, Expr};
 use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::failure::{Unit, render};
@@ -23,14 +23,43 @@ pub type Point = [f64; 2];
 pub struct Places {
     /// Links: name and corners.
     pub links: Vec<(String, Vec<Point>)>,
-    /// Slides: name, place, direction of the guide.
-    pub slides: Vec<(String, Point, Point)>,
+    /// Slides: name, place if the model gives one, direction of the guide.
+    pub slides: Vec<(String, Option<Point>, Point)>,
     /// Named points; whether each is a pin, and whether that pin is fixed to ground.
     pub marks: Vec<(String, Point, Option<bool>)>,
-    /// Springs and stacks (true) from end to end.
-    pub springs: Vec<(String, Point, Point, bool)>,
-    /// Contacts: name, place, direction of sliding.
-    pub contacts: Vec<(String, Point, Point)>,
+    /// Springs and stacks.
+    pub springs: Vec<PlacedSpring>,
+    /// Contacts.
+    pub contacts: Vec<PlacedContact>,
+}
+
+/// Where a spring or a contact ends: the body, and the place if the model gives one.
+pub type PlacedEnd = (String, Option<Point>);
+
+/// A spring or a stack in numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedSpring {
+    /// Its name.
+    pub name: String,
+    /// Its two ends.
+    pub ends: [PlacedEnd; 2],
+    /// Unit vector from the first end to the second, of a spring that acts along a direction.
+    pub axis: Option<Point>,
+    /// Whether it is a ceramic stack.
+    pub stack: bool,
+}
+
+/// A contact in numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedContact {
+    /// Its name.
+    pub name: String,
+    /// The bodies that touch.
+    pub ends: [PlacedEnd; 2],
+    /// Direction of sliding.
+    pub along: Point,
+    /// Direction of the normal force on the first, if it has one.
+    pub normal: Option<Point>,
 }
 
 impl<'m> Assembled<'m> {
@@ -89,8 +118,8 @@ impl<'m> Assembled<'m> {
                     places.links.push((name.clone(), corners));
                 }
                 Shape::Slide(name, at, along) => {
-                    let place = (name.clone(), self.point(*at), self.point(*along));
-                    places.slides.push(place);
+                    let at = at.map(|at| self.point(at));
+                    places.slides.push((name.clone(), at, self.point(*along)));
                 }
             }
         }
@@ -98,15 +127,30 @@ impl<'m> Assembled<'m> {
             let at = self.point(mark.at);
             places.marks.push((mark.name.clone(), at, mark.pin));
         }
-        for (name, first, second, stack) in &drawing.springs {
-            let ends = (self.point(*first), self.point(*second));
-            places.springs.push((name.clone(), ends.0, ends.1, *stack));
+        for spring in &drawing.springs {
+            places.springs.push(PlacedSpring {
+                name: spring.name.clone(),
+                ends: self.ends(&spring.ends),
+                axis: spring.axis.map(|axis| self.point(axis)),
+                stack: spring.stack,
+            });
         }
-        for (name, at, along) in &drawing.contacts {
-            let place = (name.clone(), self.point(*at), self.point(*along));
-            places.contacts.push(place);
+        for contact in &drawing.contacts {
+            places.contacts.push(PlacedContact {
+                name: contact.name.clone(),
+                ends: self.ends(&contact.ends),
+                along: self.point(contact.along),
+                normal: contact.normal.map(|normal| self.point(normal)),
+            });
         }
         places
+    }
+
+    fn ends(&mut self, ends: &[DrawnEnd; 2]) -> [PlacedEnd; 2] {
+        [0, 1].map(|index| {
+            let end = &ends[index];
+            (end.body.clone(), end.at.map(|at| self.point(at)))
+        })
     }
 
     fn point(&mut self, point: [Expr; 2]) -> Point {

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::Failure;
 use super::output::OutputFile;
 use super::terminal::Terminal;
-use super::Failure;
 
 /// Write a commented model file to start from
 #[derive(Debug, Args)]

@@ -8,6 +8,7 @@ use flexure::codegen::report;
 use flexure::runtime::simulate::{Breakdown, Ending, Simulation, Summary, simulate};
 use flexure::runtime::system::System;
 
+use super::Failure;
 use super::output::{OutputFile, cannot_write};
 use super::plot::page::{Page, Row, page};
 use super::plot::panels::{Column, choose};
@@ -15,7 +16,6 @@ use super::plot::{figure, scale};
 use super::recording::{Recorded, Recording};
 use super::settings::{Chosen, Settings, non_negative_time, time, tolerance};
 use super::terminal::Terminal;
-use super::Failure;
 
 /// Simulate a model and write its motion as a table (CSV) and as a picture
 #[derive(Debug, Args)]

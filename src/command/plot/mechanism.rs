@@ -5,39 +5,55 @@
 use std::fmt::Write;
 
 use super::figure::text_width;
+use super::layout::{Layout, layout};
 use super::scale;
 use super::svg::{escape, pixel};
 use flexure::{Places, Point};
 
 const WIDEST: f64 = 760.0;
 const HIGHEST: f64 = 420.0;
-const MARGIN: f64 = 64.0;
+const MARGIN: f64 = 58.0;
+/// Room for the scale bar.
+const FOOT: f64 = 30.0;
 const BAR: f64 = 9.0;
 const SLIDE: Point = [54.0, 26.0];
 
-/// The picture as an `svg` element, or `None` if there is nothing with a place in the plane.
-pub fn mechanism(places: &Places) -> Option<String> {
-    let view = View::around(places)?;
+/// The picture as an `svg` element with what is to be said about it, or `None` if there is nothing
+/// to show.
+pub fn mechanism(places: &Places) -> Option<(String, &'static str)> {
+    let layout = layout(places);
+    let view = View::around(&layout)?;
     let mut picture = Picture {
         svg: String::new(),
         labels: Labels::default(),
     };
-    picture.slides(places, &view);
-    picture.springs(places, &view);
-    picture.links(places, &view);
-    picture.contacts(places, &view);
-    picture.marks(places, &view);
+    picture.springs(&layout, &view);
+    picture.slides(&layout, &view);
+    picture.links(&layout, &view);
+    picture.contacts(&layout, &view);
+    picture.marks(&layout, &view);
     let names = picture.labels.place(view.size);
     let [width, height] = view.size;
-    Some(format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" style=\"max-width:{}px\" \
-         role=\"img\" aria-label=\"the mechanism as assembled, to scale\">\n{}{names}{}</svg>\n",
+    let bar = if layout.to_scale {
+        scale_bar(&view)
+    } else {
+        String::new()
+    };
+    let svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" style=\"max-width:{0}px\" \
+         role=\"img\" aria-label=\"the mechanism as assembled\">\n{2}{names}{bar}</svg>\n",
         pixel(width),
         pixel(height),
-        pixel(width),
         picture.svg,
-        scale_bar(&view)
-    ))
+    );
+    let caption = match (layout.to_scale, layout.fitted) {
+        (true, false) => "As assembled, to scale; signs for pins, slides and springs are not.",
+        (true, true) => {
+            "As assembled, to scale; slides without a place in the model stand beside what they act on."
+        }
+        (false, _) => "Nothing has a place in this model: arranged by what acts on what.",
+    };
+    Some((svg, caption))
 }
 
 /// How metres become pixels.
@@ -48,10 +64,9 @@ struct View {
 }
 
 impl View {
-    fn around(places: &Places) -> Option<View> {
-        let points = all_points(places);
-        let finite = |p: &&Point| p[0].is_finite() && p[1].is_finite();
-        let (low, high) = points.iter().filter(finite).fold(
+    fn around(layout: &Layout) -> Option<View> {
+        let points = all_points(layout);
+        let (low, high) = points.iter().filter(|p| all_finite(&[**p])).fold(
             ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]),
             |(low, high), p| {
                 (
@@ -65,19 +80,10 @@ impl View {
         }
         let span = [high[0] - low[0], high[1] - low[1]];
         let room = [WIDEST - 2.0 * MARGIN, HIGHEST - 2.0 * MARGIN];
-        let scale = (room[0] / span[0]).min(room[1] / span[1]);
-        if !scale.is_finite() {
-            // All in one point: no scale to draw to.
-            let size = [2.0 * MARGIN + 120.0, 2.0 * MARGIN + 60.0];
-            let low = [low[0] - 60.0, low[1] - 30.0];
-            return Some(View {
-                scale: 1.0,
-                low,
-                size,
-            });
-        }
+        let fitting = (room[0] / span[0]).min(room[1] / span[1]);
+        let scale = if fitting.is_finite() { fitting } else { 1.0 };
         let width = (span[0] * scale + 2.0 * MARGIN).max(380.0);
-        let height = span[1] * scale + 2.0 * MARGIN + 30.0;
+        let height = span[1] * scale + 2.0 * MARGIN + FOOT;
         let spare = (width - 2.0 * MARGIN - span[0] * scale) / 2.0;
         Some(View {
             scale,
@@ -86,29 +92,24 @@ impl View {
         })
     }
 
-    /// Whether lengths in the picture mean anything.
-    fn to_scale(&self) -> bool {
-        self.scale != 1.0
-    }
-
     fn at(&self, p: Point) -> Point {
         [
             MARGIN + (p[0] - self.low[0]) * self.scale,
-            self.size[1] - 30.0 - MARGIN - (p[1] - self.low[1]) * self.scale,
+            self.size[1] - FOOT - MARGIN - (p[1] - self.low[1]) * self.scale,
         ]
     }
 
-    fn length(&self, direction: Point) -> Point {
+    fn direction(&self, direction: Point) -> Point {
         unit([direction[0], -direction[1]])
     }
 }
 
-fn all_points(places: &Places) -> Vec<Point> {
-    let links = places.links.iter().flat_map(|(_, corners)| corners.clone());
-    let slides = places.slides.iter().map(|(_, at, _)| *at);
-    let marks = places.marks.iter().map(|(_, at, _)| *at);
-    let springs = places.springs.iter().flat_map(|(_, a, b, _)| [*a, *b]);
-    let contacts = places.contacts.iter().map(|(_, at, _)| *at);
+fn all_points(layout: &Layout) -> Vec<Point> {
+    let links = layout.links.iter().flat_map(|(_, corners)| corners.clone());
+    let slides = layout.slides.iter().map(|slide| slide.at);
+    let marks = layout.marks.iter().map(|(_, at, _)| *at);
+    let springs = layout.springs.iter().flat_map(|spring| spring.ends);
+    let contacts = layout.contacts.iter().map(|(_, at, _)| *at);
     links
         .chain(slides)
         .chain(marks)
@@ -123,8 +124,8 @@ struct Picture {
 }
 
 impl Picture {
-    fn links(&mut self, places: &Places, view: &View) {
-        for (name, corners) in &places.links {
+    fn links(&mut self, layout: &Layout, view: &View) {
+        for (name, corners) in &layout.links {
             let corners: Vec<Point> = corners.iter().map(|&p| view.at(p)).collect();
             if !all_finite(&corners) || corners.is_empty() {
                 continue;
@@ -148,10 +149,10 @@ impl Picture {
         }
     }
 
-    fn slides(&mut self, places: &Places, view: &View) {
-        for (name, at, guide) in &places.slides {
-            let at = view.at(*at);
-            let along = view.length(*guide);
+    fn slides(&mut self, layout: &Layout, view: &View) {
+        for slide in &layout.slides {
+            let at = view.at(slide.at);
+            let along = view.direction(slide.along);
             if !all_finite(&[at, along]) {
                 continue;
             }
@@ -164,8 +165,12 @@ impl Picture {
             };
             let (half, depth) = (SLIDE[0] / 2.0, SLIDE[1] / 2.0);
             let rail = 1.55 * half;
-            // The rail with its hatching lies on the lower side as the picture stands.
-            let side = if across[1] < 0.0 || (across[1] == 0.0 && across[0] < 0.0) {
+            // The rail lies away from what the slide touches, else on the picture's lower side.
+            let away = match slide.touches {
+                Some(touches) => view.direction(touches).map(|c| -c),
+                None => [1e-6, 1.0],
+            };
+            let side = if across[0] * away[0] + across[1] * away[1] < 0.0 {
                 -1.0
             } else {
                 1.0
@@ -203,7 +208,8 @@ impl Picture {
                 "<path class=\"thin\" d=\"{}\"/>",
                 line(tail, tip) + &head(tail, tip, 5.0)
             );
-            self.labels.add(name, true, at, [0.0, -side], depth + 12.0);
+            let off = across.map(|c| -side * c);
+            self.labels.add(&slide.name, true, at, off, depth + 12.0);
             for k in -3..=3 {
                 self.labels
                     .avoid(place(f64::from(k) * half / 3.0, 0.0), depth);
@@ -213,36 +219,68 @@ impl Picture {
         }
     }
 
-    fn springs(&mut self, places: &Places, view: &View) {
-        for (name, first, second, stack) in &places.springs {
-            let (a, b) = (view.at(*first), view.at(*second));
-            if !all_finite(&[a, b]) {
+    fn springs(&mut self, layout: &Layout, view: &View) {
+        for spring in &layout.springs {
+            let mut ends = spring.ends.map(|end| view.at(end));
+            if !all_finite(&ends) {
                 continue;
             }
-            let long = length(minus(b, a));
-            let along = unit(minus(b, a));
-            let across = if long > 0.0 {
-                normal(along)
-            } else {
-                [0.0, -1.0]
-            };
-            if long > 14.0 {
-                if *stack {
-                    self.stack(a, b, long);
+            let along = unit(minus(ends[1], ends[0]));
+            for (index, inward) in [(0, 1.0), (1, -1.0)] {
+                if let Some(slide) = spring.slides[index] {
+                    let guide = view.direction(layout.slides[slide].along);
+                    let parallel = (guide[0] * along[0] + guide[1] * along[1]).abs();
+                    let reach = (SLIDE[0] * parallel).max(SLIDE[1]) / 2.0;
+                    ends[index] = shifted(ends[index], along, inward * reach);
+                }
+                if spring.walls[index] {
+                    self.wall(ends[index], along.map(|c| -inward * c));
+                }
+            }
+            let [a, b] = ends;
+            let toward = minus(b, a);
+            if toward[0] * along[0] + toward[1] * along[1] > 14.0 {
+                if spring.stack {
+                    self.stack(a, b);
                 } else {
                     let _ = writeln!(self.svg, "<path class=\"spring\" d=\"{}\"/>", coil(a, b));
                 }
                 for k in 1..8 {
-                    self.labels.avoid(between(a, b, f64::from(k) / 8.0), 7.0);
+                    self.labels.avoid(between(a, b, f64::from(k) / 8.0), 8.0);
                 }
             }
+            let across = normal(along);
+            let up = if across[1] > 0.0 {
+                across.map(|c| -c)
+            } else {
+                across
+            };
             self.labels
-                .add(name, false, between(a, b, 0.5), across, 16.0);
+                .add(&spring.name, false, between(a, b, 0.5), up, 18.0);
         }
     }
 
+    /// Ground as a wall, hatched on the side of `outward`.
+    fn wall(&mut self, at: Point, outward: Point) {
+        let across = normal(outward);
+        let half = 15.0;
+        let mut hatching = String::new();
+        for k in 0..6 {
+            let p = shifted(at, across, -half + 2.0 * half * (f64::from(k) + 0.5) / 6.0);
+            let q = shifted(shifted(p, outward, 7.0), across, -5.0);
+            hatching += &line(p, q);
+        }
+        let _ = writeln!(
+            self.svg,
+            "<path class=\"thin\" d=\"{hatching}\"/><path class=\"ink\" d=\"{}\"/>",
+            line(shifted(at, across, -half), shifted(at, across, half))
+        );
+        self.labels.avoid(shifted(at, outward, 3.0), half);
+    }
+
     /// A ceramic: a block of layers between its ends.
-    fn stack(&mut self, a: Point, b: Point, long: f64) {
+    fn stack(&mut self, a: Point, b: Point) {
+        let long = length(minus(b, a));
         let outline = bar_square(a, b, 9.0);
         let _ = writeln!(self.svg, "<path class=\"piezo\" d=\"{outline}\"/>");
         let layers = ((long / 7.0).round() as usize).clamp(2, 40);
@@ -258,10 +296,10 @@ impl Picture {
         );
     }
 
-    fn contacts(&mut self, places: &Places, view: &View) {
-        for (name, at, sliding) in &places.contacts {
+    fn contacts(&mut self, layout: &Layout, view: &View) {
+        for (name, at, sliding) in &layout.contacts {
             let at = view.at(*at);
-            let along = view.length(*sliding);
+            let along = view.direction(*sliding);
             if !all_finite(&[at, along]) {
                 continue;
             }
@@ -280,8 +318,8 @@ impl Picture {
         }
     }
 
-    fn marks(&mut self, places: &Places, view: &View) {
-        for (name, at, pin) in &places.marks {
+    fn marks(&mut self, layout: &Layout, view: &View) {
+        for (name, at, pin) in &layout.marks {
             let at = view.at(*at);
             if !all_finite(&[at]) {
                 continue;
@@ -430,12 +468,6 @@ fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
 
 fn scale_bar(view: &View) -> String {
     let y = view.size[1] - 18.0;
-    if !view.to_scale() {
-        return format!(
-            "<text class=\"soft\" x=\"12\" y=\"{}\">not to scale: all in one point</text>\n",
-            pixel(y + 4.0)
-        );
-    }
     let long = scale::round_step(0.5 * 150.0 / view.scale);
     let wide = long * view.scale;
     let (left, right) = (16.0, 16.0 + wide);
@@ -590,29 +622,30 @@ mod tests {
             marks: vec![("<O1>".to_owned(), [0.0, 0.0], Some(true))],
             ..Places::default()
         };
-        let view = View::around(&places).unwrap();
+        let view = View::around(&layout(&places)).unwrap();
         let [a, b] = [view.at([0.0, 0.0]), view.at([0.03, 0.01])];
         assert!(((b[0] - a[0]) / (a[1] - b[1]) - 3.0).abs() < 1e-9);
-        let svg = mechanism(&places).unwrap();
+        let (svg, caption) = mechanism(&places).unwrap();
         assert!(svg.contains("&lt;O1&gt;") && !svg.contains("<O1>"));
-        assert!(svg.contains("mm</text>"));
+        assert!(svg.contains("mm</text>") && caption.contains("to scale"));
     }
 
     #[test]
-    fn nothing_and_everything_at_one_place() {
+    fn nothing_one_thing_and_what_is_no_number() {
         assert_eq!(mechanism(&Places::default()), None);
+        let slide = |at| ("mass".to_owned(), at, [1.0, 0.0]);
         let one = Places {
-            slides: vec![("mass".to_owned(), [0.0, 0.0], [1.0, 0.0])],
-            springs: vec![("k".to_owned(), [0.0, 0.0], [0.0, 0.0], false)],
+            slides: vec![slide(None)],
             ..Places::default()
         };
-        let svg = mechanism(&one).unwrap();
-        assert!(svg.contains("not to scale") && !svg.contains("NaN"));
+        let (svg, _) = mechanism(&one).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
         let broken = Places {
             links: vec![("a".to_owned(), vec![[f64::NAN, 0.0], [1.0, 0.0]])],
-            slides: vec![("b".to_owned(), [0.0, 1.0], [0.0, 1.0])],
+            slides: vec![slide(Some([0.0, 1.0]))],
             ..Places::default()
         };
-        assert!(!mechanism(&broken).unwrap().contains("NaN"));
+        let (svg, _) = mechanism(&broken).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
 }

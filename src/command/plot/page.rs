@@ -66,12 +66,10 @@ pub fn page(page: &Page) -> String {
     if let Some(why) = &page.ended_early {
         let _ = writeln!(html, "<p class=\"ended\">{}</p>", escape(why));
     }
-    if let Some(picture) = mechanism::mechanism(&page.places) {
+    if let Some((picture, caption)) = mechanism::mechanism(&page.places) {
         html.push_str("<section>\n<h2>Mechanism</h2>\n<div class=\"mechanism\">\n<figure>\n");
         html.push_str(&picture);
-        html.push_str(
-            "<figcaption>As assembled, places and lengths to scale.</figcaption>\n</figure>\n",
-        );
+        let _ = writeln!(html, "<figcaption>{caption}</figcaption>\n</figure>");
         list(&mut html, &page.facts);
         html.push_str("</div>\n</section>\n");
     }
