@@ -12,6 +12,7 @@ mod emit;
 mod new;
 mod output;
 mod plot;
+mod portrait;
 mod recording;
 mod settings;
 mod simulate;

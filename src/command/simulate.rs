@@ -4,16 +4,14 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flexure::codegen::report;
-use flexure::runtime::simulate::{Breakdown, Ending, Simulation, Summary, simulate};
+use flexure::runtime::simulate::{Ending, Simulation, simulate};
 use flexure::runtime::system::System;
 
 use super::Failure;
 use super::output::{OutputFile, cannot_write};
-use super::plot::page::{Page, Row, page};
-use super::plot::panels::{Column, choose};
-use super::plot::{figure, scale};
-use super::recording::{Recorded, Recording};
+use super::plot::scale;
+use super::portrait::Portrait;
+use super::recording::Recording;
 use super::settings::{Chosen, Settings, non_negative_time, time, tolerance};
 use super::terminal::Terminal;
 
@@ -29,16 +27,16 @@ The table: first column t, then every state, then every output; SI units, 17 sig
 It goes to standard output if neither -o nor --plot is given. A run that fails keeps its rows.")]
 pub struct Arguments {
     #[command(flatten)]
-    settings: Settings,
+    pub settings: Settings,
     /// End of the run, as in 20ms
     #[arg(long, value_name = "T", value_parser = non_negative_time)]
-    until: f64,
+    pub until: f64,
     /// Fixed steps of this length (classical Runge–Kutta) instead of adaptive ones
     #[arg(long, value_name = "H", value_parser = time, conflicts_with = "rtol")]
-    dt: Option<f64>,
+    pub dt: Option<f64>,
     /// Relative tolerance of the adaptive steps
     #[arg(long, value_name = "R", value_parser = tolerance, default_value = "1e-8")]
-    rtol: f64,
+    pub rtol: f64,
     /// Time between rows; 0 for a row per step of the integrator [default: 1/2000 of the run]
     #[arg(long, value_name = "DT", value_parser = non_negative_time)]
     every: Option<f64>,
@@ -105,8 +103,17 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     }
     if recorded.rows > 0 {
         if let Some(plot) = plot {
-            let settings = arguments.described(&chosen, &recorded, &outcome);
-            plot.finish_with(&draw(arguments, &chosen, &recorded, &outcome, settings)?)?;
+            let portrait = Portrait {
+                arguments,
+                chosen: &chosen,
+                recorded: &recorded,
+                outcome: &outcome,
+            };
+            plot.finish_with(&if arguments.wants_page() {
+                portrait.page()?
+            } else {
+                portrait.figure()
+            })?;
         }
         if let Some(table) = table {
             table.finish()?;
@@ -185,161 +192,20 @@ fn simulation<'s, S: System>(
 }
 
 impl Arguments {
+    fn wants_page(&self) -> bool {
+        let extension = self.plot.as_ref().and_then(|path| path.extension());
+        extension.is_some_and(|extension| extension == "html")
+    }
+
     /// Time between rows in s; `None` for a row per step.
-    fn row_interval(&self) -> Option<f64> {
+    pub fn row_interval(&self) -> Option<f64> {
         match self.every {
             Some(interval) => Some(interval).filter(|&interval| interval > 0.0),
             None => Some(self.until / DEFAULT_ROWS).filter(|&interval| interval > 0.0),
         }
     }
-
-    /// How the run was made, for its page.
-    fn described(
-        &self,
-        chosen: &Chosen,
-        recorded: &Recorded,
-        outcome: &Result<Summary, Breakdown>,
-    ) -> Vec<(String, String)> {
-        let method = match self.dt {
-            Some(step) => format!("Runge–Kutta of order 4, steps of {}", seconds(step)),
-            None => format!(
-                "Dormand–Prince 8(5,3), relative tolerance {}",
-                scale::number(self.rtol, 6)
-            ),
-        };
-        let rows = match self.row_interval() {
-            Some(interval) => format!("{}, every {}", recorded.rows, seconds(interval)),
-            None => format!("{}, one per step", recorded.rows),
-        };
-        let mut settings = vec![
-            (
-                "model file".to_owned(),
-                self.settings.file.display().to_string(),
-            ),
-            ("until".to_owned(), seconds(self.until)),
-            ("method".to_owned(), method),
-            ("rows".to_owned(), rows),
-        ];
-        for set in &self.settings.use_sets {
-            settings.push(("parameter set".to_owned(), set.clone()));
-        }
-        for (index, value) in &chosen.inputs {
-            let input = &chosen.design.model().inputs()[*index];
-            let held = scale::with_unit(*value, &input.unit, 8);
-            settings.push((format!("input {}", input.name), held));
-        }
-        if let Ok(summary) = outcome {
-            let statistics = summary.statistics;
-            let counts = [
-                ("steps", statistics.accepted),
-                ("steps rejected", statistics.rejected),
-                ("evaluations", statistics.evaluations),
-                ("kinks of drives", statistics.kinks),
-                ("events", statistics.events),
-            ];
-            settings.extend(counts.map(|(what, count)| (what.to_owned(), count.to_string())));
-        }
-        settings
-    }
 }
 
 fn seconds(value: f64) -> String {
     scale::with_unit(value, "s", 6)
-}
-
-/// The picture or the page.
-fn draw(
-    arguments: &Arguments,
-    chosen: &Chosen,
-    recorded: &Recorded,
-    outcome: &Result<Summary, Breakdown>,
-    settings: Vec<(String, String)>,
-) -> Result<String, Failure> {
-    let model = chosen.design.model();
-    let states = model.equations().states.len();
-    let columns: Vec<Column> = recorded
-        .headings
-        .iter()
-        .zip(&recorded.columns)
-        .enumerate()
-        .skip(1)
-        .map(|(index, (heading, values))| Column {
-            name: heading.name.to_string(),
-            unit: heading.unit.to_string(),
-            output: index > states,
-            values: values.clone(),
-        })
-        .collect();
-    let time = recorded.columns.first().map_or(&[][..], Vec::as_slice);
-    let panels = choose(&columns);
-    let as_page = arguments
-        .plot
-        .as_ref()
-        .is_some_and(|path| path.extension().is_some_and(|e| e == "html"));
-    if !as_page {
-        return Ok(figure::standalone(model.name(), time, &panels));
-    }
-    let mut assembled = chosen.design.assembled().map_err(Failure::model)?;
-    let ended_early = match outcome {
-        Ok(summary) => match &summary.ending {
-            Ending::Stopped(why) => Some(format!("Ended at {}: {why}", seconds(summary.end))),
-            _ => None,
-        },
-        Err(breakdown) => Some(format!(
-            "The run failed at {}: {}",
-            seconds(breakdown.time),
-            breakdown.message
-        )),
-    };
-    Ok(page(&Page {
-        title: model.name(),
-        doc: &model.equations().doc,
-        places: assembled.places(),
-        facts: assembled.facts(),
-        time,
-        panels: &panels,
-        params: params(chosen),
-        results: results(recorded),
-        equations: &report::text(model.equations()),
-        settings,
-        warnings: model.warnings().iter().map(ToString::to_string).collect(),
-        ended_early,
-    }))
-}
-
-fn params(chosen: &Chosen) -> Vec<Row> {
-    let params = chosen.design.model().params();
-    params
-        .iter()
-        .zip(chosen.design.values())
-        .map(|(param, &value)| Row {
-            name: param.name.to_string(),
-            value: scale::with_unit(value, &param.unit, 10),
-            meaning: param.meaning.to_string(),
-            changed: param.start != Some(value),
-        })
-        .collect()
-}
-
-fn results(recorded: &Recorded) -> Vec<[String; 6]> {
-    let span = recorded.span();
-    let columns = recorded.headings.iter().zip(&recorded.sums).skip(1);
-    columns
-        .map(|(heading, sum)| {
-            let size = sum.least.abs().max(sum.greatest.abs());
-            let unit = scale::display_unit(&heading.unit, size);
-            let cell = |value: f64| {
-                let number = scale::number(value / unit.factor, 6);
-                format!("{number} {}", unit.name).trim_end().to_owned()
-            };
-            [
-                heading.name.to_string(),
-                cell(sum.first),
-                cell(sum.last),
-                cell(sum.least),
-                cell(sum.greatest),
-                cell(sum.mean(span)),
-            ]
-        })
-        .collect()
 }

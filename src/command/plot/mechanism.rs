@@ -4,10 +4,14 @@
 
 use std::fmt::Write;
 
-use super::figure::text_width;
+use super::labels::Labels;
 use super::layout::{Layout, layout};
 use super::scale;
-use super::svg::{escape, pixel};
+use super::strokes::{
+    all_finite, bar, bar_square, between, center, coil, head, length, line, minus, normal, polygon,
+    shifted, unit,
+};
+use super::svg::pixel;
 use flexure::{Places, Point};
 
 const WIDEST: f64 = 760.0;
@@ -366,106 +370,6 @@ impl Picture {
     }
 }
 
-/// Names and what they must not cover.
-#[derive(Default)]
-struct Labels {
-    wanted: Vec<Wanted>,
-    taken: Vec<(Point, f64)>,
-}
-
-struct Wanted {
-    text: String,
-    body: bool,
-    anchor: Point,
-    preferred: Point,
-    distance: f64,
-}
-
-impl Labels {
-    fn add(&mut self, text: &str, body: bool, anchor: Point, preferred: Point, distance: f64) {
-        self.wanted.push(Wanted {
-            text: text.to_owned(),
-            body,
-            anchor,
-            preferred,
-            distance,
-        });
-    }
-
-    fn avoid(&mut self, at: Point, radius: f64) {
-        self.taken.push((at, radius));
-    }
-
-    /// Puts each name on the side of its anchor where it covers least.
-    fn place(&self, [width, height]: Point) -> String {
-        let mut svg = String::new();
-        let mut placed: Vec<[f64; 4]> = Vec::new();
-        for wanted in &self.wanted {
-            let wide = text_width(&wanted.text) + 4.0;
-            let high = 15.0;
-            let mut best: Option<(f64, [f64; 4])> = None;
-            for further in [0.0, 9.0, 20.0] {
-                for turn in 0..12 {
-                    let angle = f64::from(turn) * std::f64::consts::TAU / 12.0;
-                    let (sin, cos) = angle.sin_cos();
-                    let [px, py] = wanted.preferred;
-                    let toward = [px * cos - py * sin, px * sin + py * cos];
-                    let reach = wanted.distance + further;
-                    let x = wanted.anchor[0] + toward[0] * (reach + wide / 2.0 - 8.0);
-                    let y = wanted.anchor[1] + toward[1] * reach;
-                    let area = [
-                        x - wide / 2.0,
-                        y - high / 2.0,
-                        x + wide / 2.0,
-                        y + high / 2.0,
-                    ];
-                    let away = f64::from(turn.min(12 - turn));
-                    let mut cost = 0.6 * away + 0.25 * further;
-                    for other in &placed {
-                        cost += 2.0 * overlap(area, *other);
-                    }
-                    for (at, radius) in &self.taken {
-                        let box_of = [
-                            at[0] - radius,
-                            at[1] - radius,
-                            at[0] + radius,
-                            at[1] + radius,
-                        ];
-                        cost += 0.5 * overlap(area, box_of);
-                    }
-                    if area[0] < 2.0
-                        || area[1] < 2.0
-                        || area[2] > width - 2.0
-                        || area[3] > height - 2.0
-                    {
-                        cost += 1e4;
-                    }
-                    if best.is_none_or(|(least, _)| cost < least) {
-                        best = Some((cost, area));
-                    }
-                }
-            }
-            let Some((_, area)) = best else { continue };
-            placed.push(area);
-            let _ = writeln!(
-                svg,
-                "<text class=\"name{}\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                if wanted.body { " body-name" } else { "" },
-                pixel((area[0] + area[2]) / 2.0),
-                pixel(area[3] - 3.5),
-                escape(&wanted.text)
-            );
-        }
-        svg
-    }
-}
-
-fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
-    let width = (a[2].min(b[2]) - a[0].max(b[0])).max(0.0);
-    let height = (a[3].min(b[3]) - a[1].max(b[1])).max(0.0);
-    width * height
-}
-
 fn scale_bar(view: &View) -> String {
     let y = view.size[1] - 18.0;
     let long = scale::round_step(0.5 * 150.0 / view.scale);
@@ -481,131 +385,6 @@ fn scale_bar(view: &View) -> String {
         pixel(y + 4.0),
         scale::with_unit(long, "m", 3)
     )
-}
-
-/// A bar with round ends.
-fn bar(a: Point, b: Point, width: f64) -> String {
-    if length(minus(b, a)) == 0.0 {
-        return polygon(&[a, b]);
-    }
-    let side = normal(unit(minus(b, a)));
-    let r = width / 2.0;
-    let [p, q] = [shifted(a, side, r), shifted(b, side, r)];
-    let [s, t] = [shifted(b, side, -r), shifted(a, side, -r)];
-    let r = pixel(r);
-    format!(
-        "M{} {}L{} {}A{r} {r} 0 0 0 {} {}L{} {}A{r} {r} 0 0 0 {} {}Z",
-        pixel(p[0]),
-        pixel(p[1]),
-        pixel(q[0]),
-        pixel(q[1]),
-        pixel(s[0]),
-        pixel(s[1]),
-        pixel(t[0]),
-        pixel(t[1]),
-        pixel(p[0]),
-        pixel(p[1])
-    )
-}
-
-fn bar_square(a: Point, b: Point, half: f64) -> String {
-    let side = normal(unit(minus(b, a)));
-    polygon(&[
-        shifted(a, side, half),
-        shifted(b, side, half),
-        shifted(b, side, -half),
-        shifted(a, side, -half),
-    ])
-}
-
-fn polygon(corners: &[Point]) -> String {
-    let mut path = String::new();
-    for (k, [x, y]) in corners.iter().enumerate() {
-        let pen = if k == 0 { 'M' } else { 'L' };
-        let _ = write!(path, "{pen}{} {}", pixel(*x), pixel(*y));
-    }
-    path + "Z"
-}
-
-/// A zigzag with straight ends.
-fn coil(a: Point, b: Point) -> String {
-    let side = normal(unit(minus(b, a)));
-    let turns = ((length(minus(b, a)) / 8.0).round() as i32).clamp(4, 12);
-    let mut path = format!("M{} {}", pixel(a[0]), pixel(a[1]));
-    let mut to = |p: Point| {
-        let _ = write!(path, "L{} {}", pixel(p[0]), pixel(p[1]));
-    };
-    to(between(a, b, 0.15));
-    for k in 0..turns {
-        let share = 0.15 + 0.7 * (f64::from(k) + 0.5) / f64::from(turns);
-        let swing = if k % 2 == 0 { 7.0 } else { -7.0 };
-        to(shifted(between(a, b, share), side, swing));
-    }
-    to(between(a, b, 0.85));
-    to(b);
-    path
-}
-
-fn line(a: Point, b: Point) -> String {
-    format!(
-        "M{} {}L{} {}",
-        pixel(a[0]),
-        pixel(a[1]),
-        pixel(b[0]),
-        pixel(b[1])
-    )
-}
-
-/// An arrow head at `tip`.
-fn head(tail: Point, tip: Point, size: f64) -> String {
-    let along = unit(minus(tip, tail));
-    let side = normal(along);
-    let back = shifted(tip, along, -size);
-    let (left, right) = (
-        shifted(back, side, 0.6 * size),
-        shifted(back, side, -0.6 * size),
-    );
-    line(left, tip) + &line(tip, right)
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn shifted(p: Point, direction: Point, by: f64) -> Point {
-    [p[0] + by * direction[0], p[1] + by * direction[1]]
-}
-
-fn between(a: Point, b: Point, share: f64) -> Point {
-    shifted(a, minus(b, a), share)
-}
-
-fn center(points: &[Point]) -> Point {
-    let sum = points
-        .iter()
-        .fold([0.0; 2], |s, p| [s[0] + p[0], s[1] + p[1]]);
-    sum.map(|s| s / points.len() as f64)
-}
-
-fn length([x, y]: Point) -> f64 {
-    x.hypot(y)
-}
-
-fn unit(p: Point) -> Point {
-    let long = length(p);
-    if long > 0.0 {
-        p.map(|c| c / long)
-    } else {
-        [1.0, 0.0]
-    }
-}
-
-fn normal([x, y]: Point) -> Point {
-    [y, -x]
-}
-
-fn all_finite(points: &[Point]) -> bool {
-    points.iter().flatten().all(|c| c.is_finite())
 }
 
 #[cfg(test)]

@@ -5,9 +5,11 @@
 //! [`scale`] knows prefixes and ticks, [`svg`] colours, escaping and thinning.
 
 pub mod figure;
+mod labels;
 mod layout;
 pub mod mechanism;
 pub mod page;
 pub mod panels;
 pub mod scale;
+mod strokes;
 mod svg;
