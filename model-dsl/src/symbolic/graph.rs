@@ -67,6 +67,7 @@ struct SymbolName {
     text: String,
     latex: String,
     is_sum: bool,
+    varies: bool,
 }
 
 /// An arena of expressions with sharing.
@@ -135,6 +136,7 @@ impl Graph {
             text,
             latex,
             is_sum,
+            varies: false,
         });
         symbol
     }
@@ -162,6 +164,17 @@ impl Graph {
     /// Whether the symbol's name is written as a sum.
     pub fn symbol_is_sum(&self, symbol: Symbol) -> bool {
         self.symbols[symbol.index()].is_sum
+    }
+
+    /// Whether the symbol was marked as varying.
+    pub fn symbol_varies(&self, symbol: Symbol) -> bool {
+        self.symbols[symbol.index()].varies
+    }
+
+    /// Marks a symbol as one that varies while others stay as they are: it prints behind them in
+    /// products (`C1 ω2²`) and before them in sums (`φ2 - φ1 + β2`).
+    pub fn mark_varying(&mut self, symbol: Symbol) {
+        self.symbols[symbol.index()].varies = true;
     }
 
     /// Changes how a symbol prints.

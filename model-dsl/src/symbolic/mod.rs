@@ -25,7 +25,7 @@ pub use derivative::Rates;
 pub use evaluate::{ConditionSum, Evaluator};
 pub use function::Function;
 pub use graph::{Expr, Graph, Node, Symbol};
-pub use print::Style;
+pub use print::{Style, Term};
 
 /// An exact rational number of any size.
 pub type Rational = num_rational::BigRational;

@@ -1,4 +1,21 @@
-//! How an expression is written down: plain text or LaTeX.
+//! How an expression is written down: plain text or LaTeX, as a textbook would have it.
+//!
+//! ```text
+//! node ──▶ factor by factor, term by term ──▶ Written (text, how tightly it holds together)
+//! ```
+//!
+//! Products are written side by side: numbers, symbols, powers, sums in parentheses, functions.
+//! Sums keep the order in which their terms were made, but do not start with a minus if they need
+//! not. Printing unfolds a graph into a tree, which may be very much larger, so it stops with an
+//! ellipsis at a limit of characters and of nesting.
+
+mod function;
+mod number;
+
+use num_traits::{One, Signed, Zero};
+
+use super::{Expr, Function, Graph, Node, Rational};
+use number::{Fraction, Written as WrittenNumber};
 
 /// How to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,3 +25,605 @@ pub enum Style {
     /// LaTeX mathematics, without dollar signs.
     Latex,
 }
+
+/// A term of a sum as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// Whether a minus stands before it.
+    pub negative: bool,
+    /// The term without its sign.
+    pub text: String,
+}
+
+/// Characters after which printing stops.
+const LIMIT: usize = 20_000;
+
+/// Nesting at which printing stops.
+const DEPTH: usize = 100;
+
+impl Graph {
+    /// The expression in plain text.
+    pub fn text(&self, expr: Expr) -> String {
+        self.written(expr, Style::Text)
+    }
+
+    /// The expression in LaTeX, for mathematics mode.
+    pub fn latex(&self, expr: Expr) -> String {
+        self.written(expr, Style::Latex)
+    }
+
+    /// The expression in a style.
+    pub fn written(&self, expr: Expr, style: Style) -> String {
+        Printer::new(self, style).expr(expr).text
+    }
+
+    /// The terms of the sum that the expression is, in the order in which they are written; one
+    /// term if it is no sum. A caller breaks lines between them.
+    pub fn terms(&self, expr: Expr, style: Style) -> Vec<Term> {
+        Printer::new(self, style).terms(expr)
+    }
+}
+
+/// How tightly a piece of text holds together: what has to be put in parentheses where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    /// `if … then … else …`
+    Choice,
+    /// A sum, or anything that starts with a minus.
+    Sum,
+    /// A product or a quotient.
+    Product,
+    /// A power or something raised or dashed: not to be raised again.
+    Power,
+    /// A symbol, a plain number, or something in brackets.
+    Atom,
+}
+
+/// A piece of text.
+#[derive(Clone, Debug)]
+struct Written {
+    text: String,
+    level: Level,
+}
+
+impl Written {
+    fn new(text: impl Into<String>, level: Level) -> Self {
+        Self {
+            text: text.into(),
+            level,
+        }
+    }
+}
+
+/// Place of a factor in a product.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    Number,
+    Symbol,
+    Power,
+    Varying,
+    VaryingPower,
+    Magnitude,
+    Sum,
+    Function,
+}
+
+struct Printer<'g> {
+    graph: &'g Graph,
+    style: Style,
+    left: usize,
+    depth: usize,
+}
+
+impl<'g> Printer<'g> {
+    fn new(graph: &'g Graph, style: Style) -> Self {
+        Self {
+            graph,
+            style,
+            left: LIMIT,
+            depth: 0,
+        }
+    }
+
+    fn is_latex(&self) -> bool {
+        self.style == Style::Latex
+    }
+
+    fn ellipsis(&self) -> Written {
+        Written::new(if self.is_latex() { r"\ldots" } else { "…" }, Level::Atom)
+    }
+
+    /// Counts characters of a leaf, and what usually stands around it.
+    fn count(&mut self, text: &str) {
+        let around = if self.is_latex() { 8 } else { 1 };
+        self.left = self.left.saturating_sub(text.len() + around);
+    }
+
+    fn expr(&mut self, expr: Expr) -> Written {
+        if self.left == 0 || self.depth == DEPTH {
+            self.count("…");
+            return self.ellipsis();
+        }
+        self.depth += 1;
+        self.left = self.left.saturating_sub(1);
+        let written = match self.graph.node(expr) {
+            Node::Number(value) => {
+                let Fraction { negative, written } = number::write(value, self.style);
+                self.count(&written.text);
+                let WrittenNumber { text, level } = written;
+                if negative {
+                    Written::new(format!("-{text}"), Level::Sum)
+                } else {
+                    Written::new(text, level)
+                }
+            }
+            Node::Pi => {
+                self.count("π");
+                Written::new(if self.is_latex() { r"\pi" } else { "π" }, Level::Atom)
+            }
+            Node::Symbol(_) => self.symbol(expr),
+            Node::Sum { .. } => {
+                let terms = self.terms(expr);
+                join(&terms)
+            }
+            Node::Product {
+                coefficient,
+                factors,
+            } => {
+                let (negative, written) = self.product(coefficient, factors);
+                self.signed(negative, written)
+            }
+            Node::Function(function, arguments) => self.function(*function, arguments),
+        };
+        self.depth -= 1;
+        written
+    }
+
+    fn symbol(&mut self, expr: Expr) -> Written {
+        let Some(symbol) = self.graph.as_symbol(expr) else {
+            return self.ellipsis();
+        };
+        let text = if self.is_latex() {
+            self.graph.symbol_latex(symbol)
+        } else {
+            self.graph.symbol_text(symbol)
+        };
+        self.count(text);
+        let raised = if self.is_latex() {
+            text.contains('^') || text.contains('\'')
+        } else {
+            text.ends_with(|c| "⁰¹²³⁴⁵⁶⁷⁸⁹'′".contains(c))
+        };
+        let level = if self.graph.symbol_is_sum(symbol) {
+            Level::Sum
+        } else if raised {
+            Level::Power
+        } else {
+            Level::Atom
+        };
+        Written::new(text, level)
+    }
+
+    fn signed(&self, negative: bool, written: Written) -> Written {
+        if !negative {
+            return written;
+        }
+        let text = self.at_least(Level::Product, written);
+        Written::new(format!("-{text}"), Level::Sum)
+    }
+
+    /// The text, in parentheses if it holds together less than `level`.
+    fn at_least(&self, level: Level, written: Written) -> String {
+        if written.level >= level {
+            written.text
+        } else {
+            self.parentheses(&written.text)
+        }
+    }
+
+    fn parentheses(&self, text: &str) -> String {
+        if self.is_latex() {
+            format!(r"\left({text}\right)")
+        } else {
+            format!("({text})")
+        }
+    }
+
+    // ── Sums ───────────────────────────────────────────────────────────────────────────────────
+
+    /// The terms of a sum with all signs changed.
+    fn opposite_terms(&mut self, expr: Expr) -> Vec<Term> {
+        let mut terms = self.terms(expr);
+        for term in &mut terms {
+            term.negative = !term.negative;
+        }
+        lead_with_positive(&mut terms);
+        terms
+    }
+
+    fn terms(&mut self, expr: Expr) -> Vec<Term> {
+        let Node::Sum { constant, terms } = self.graph.node(expr) else {
+            return match self.graph.node(expr) {
+                Node::Product {
+                    coefficient,
+                    factors,
+                } => {
+                    let (negative, written) = self.product(coefficient, factors);
+                    vec![self.term(negative, written)]
+                }
+                Node::Number(_)
+                | Node::Pi
+                | Node::Symbol(_)
+                | Node::Function(..)
+                | Node::Sum { .. } => {
+                    let written = self.expr(expr);
+                    vec![Term {
+                        negative: false,
+                        text: written.text,
+                    }]
+                }
+            };
+        };
+        let mut written = Vec::with_capacity(terms.len().min(LIMIT));
+        for (term, coefficient) in self.order_of_terms(terms) {
+            if self.left == 0 {
+                break;
+            }
+            written.extend(self.terms_of(*term, coefficient));
+        }
+        if self.left == 0 {
+            written.push(Term {
+                negative: false,
+                text: self.ellipsis().text,
+            });
+        } else if !constant.is_zero() {
+            let Fraction {
+                negative,
+                written: number,
+            } = number::write(constant, self.style);
+            self.count(&number.text);
+            written.push(Term {
+                negative,
+                text: number.text,
+            });
+        }
+        lead_with_positive(&mut written);
+        written
+    }
+
+    /// In the order of their making, but in a sum of mere symbols those that vary stand first:
+    /// `φ2 - φ1 + β2`.
+    fn order_of_terms<'t>(&self, terms: &'t [(Expr, Rational)]) -> Vec<&'t (Expr, Rational)> {
+        let mut order: Vec<_> = terms.iter().collect();
+        let graph = self.graph;
+        if order
+            .iter()
+            .all(|(term, _)| graph.as_symbol(*term).is_some())
+        {
+            order.sort_by_key(|(term, _)| {
+                graph
+                    .as_symbol(*term)
+                    .is_none_or(|symbol| !graph.symbol_varies(symbol))
+            });
+        }
+        order
+    }
+
+    fn terms_of(&mut self, term: Expr, coefficient: &Rational) -> Vec<Term> {
+        if coefficient.abs().is_one()
+            && let Node::Function(
+                function @ (Function::CosDifference | Function::SinDifference),
+                arguments,
+            ) = self.graph.node(term)
+        {
+            let mut pair = self.difference(*function, arguments);
+            if coefficient.is_negative() {
+                pair.reverse();
+            }
+            let [first, second] = pair;
+            return vec![
+                Term {
+                    negative: false,
+                    text: first,
+                },
+                Term {
+                    negative: true,
+                    text: second,
+                },
+            ];
+        }
+        let (negative, written) = match self.graph.node(term) {
+            Node::Product {
+                coefficient: inner,
+                factors,
+            } => {
+                let product = inner * coefficient;
+                self.product(&product, factors)
+            }
+            Node::Number(_)
+            | Node::Pi
+            | Node::Symbol(_)
+            | Node::Sum { .. }
+            | Node::Function(..) => self.product(coefficient, &[(term, Rational::one())]),
+        };
+        vec![self.term(negative, written)]
+    }
+
+    fn term(&self, negative: bool, written: Written) -> Term {
+        let lowest = if negative { Level::Product } else { Level::Sum };
+        Term {
+            negative,
+            text: self.at_least(lowest, written),
+        }
+    }
+
+    // ── Products ───────────────────────────────────────────────────────────────────────────────
+
+    /// A product without its sign, and the sign.
+    fn product(&mut self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (bool, Written) {
+        let mut negative = coefficient.is_negative();
+        let magnitude = coefficient.abs();
+        let turned = factors
+            .iter()
+            .find(|(factor, exponent)| negative && exponent.abs().is_one() && self.turns(*factor))
+            .map(|(factor, _)| *factor);
+        negative &= turned.is_none();
+        if let [(factor, exponent)] = factors
+            && magnitude.is_one()
+            && exponent.is_one()
+        {
+            return (negative, self.factor(*factor, exponent, turned));
+        }
+        if let Some(written) = self.power_of_quotient(&magnitude, factors) {
+            return (negative, written);
+        }
+
+        let (mut above, mut below): (Vec<_>, Vec<_>) = factors
+            .iter()
+            .map(|(factor, exponent)| (*factor, exponent.clone()))
+            .partition(|(_, exponent)| exponent.is_positive());
+        for (_, exponent) in &mut below {
+            *exponent = -exponent.clone();
+        }
+        above.sort_by_key(|(factor, exponent)| self.class(*factor, exponent));
+        below.sort_by_key(|(factor, exponent)| self.class(*factor, exponent));
+
+        // A fraction joins the fraction bar that is there; any other number stands in front.
+        let split = !below.is_empty() && number::is_fraction(&magnitude);
+        let (front, divisor) = if split {
+            (
+                Rational::from_integer(magnitude.numer().clone()),
+                Rational::from_integer(magnitude.denom().clone()),
+            )
+        } else {
+            (magnitude, Rational::one())
+        };
+        let top = self.side(&front, &above, turned, below.is_empty());
+        if below.is_empty() {
+            return (negative, self.side_by_side(&top));
+        }
+        let bottom = self.side(&divisor, &below, turned, false);
+        (negative, self.quotient(top, bottom))
+    }
+
+    /// The factors of one side of a fraction bar, each as it is written in a product.
+    fn side(
+        &mut self,
+        number: &Rational,
+        factors: &[(Expr, Rational)],
+        turned: Option<Expr>,
+        is_alone: bool,
+    ) -> Vec<(Class, Written)> {
+        let mut side = Vec::new();
+        if !number.is_one() || factors.is_empty() {
+            let written = number::write(number, self.style).written;
+            self.count(&written.text);
+            let WrittenNumber { text, level } = written;
+            // `5/16 x` reads well in front, but not over or under another bar.
+            let text = if level == Level::Product && !is_alone && !self.is_latex() {
+                self.parentheses(&text)
+            } else {
+                text
+            };
+            side.push((Class::Number, Written::new(text, Level::Atom)));
+        }
+        for (factor, exponent) in factors {
+            if self.left == 0 {
+                side.push((Class::Function, self.ellipsis()));
+                break;
+            }
+            let written = self.factor(*factor, exponent, turned);
+            side.push((self.class(*factor, exponent), written));
+        }
+        side
+    }
+
+    fn class(&self, factor: Expr, exponent: &Rational) -> Class {
+        match self.graph.node(factor) {
+            Node::Number(_) | Node::Pi => Class::Number,
+            Node::Symbol(symbol) if self.graph.symbol_is_sum(*symbol) => Class::Sum,
+            Node::Symbol(symbol) => match (self.graph.symbol_varies(*symbol), exponent.is_one()) {
+                (false, true) => Class::Symbol,
+                (false, false) => Class::Power,
+                (true, true) => Class::Varying,
+                (true, false) => Class::VaryingPower,
+            },
+            Node::Sum { .. } | Node::Product { .. } => Class::Sum,
+            Node::Function(Function::Abs, _) => Class::Magnitude,
+            Node::Function(Function::CosDifference | Function::SinDifference, _) => Class::Sum,
+            Node::Function(..) => Class::Function,
+        }
+    }
+
+    /// Factors side by side.
+    fn side_by_side(&self, factors: &[(Class, Written)]) -> Written {
+        if let [(_, only)] = factors {
+            return only.clone();
+        }
+        let mut text = String::new();
+        for (_, factor) in factors {
+            let factor = self.at_least(Level::Power, factor.clone());
+            if !text.is_empty() {
+                let is_number = factor.starts_with(|c: char| c.is_ascii_digit());
+                text.push_str(match (self.style, is_number) {
+                    (Style::Text, false) => " ",
+                    (Style::Text, true) => "·",
+                    (Style::Latex, true) => r" \cdot ",
+                    (Style::Latex, false) if factor.starts_with(r"\left(") => " ",
+                    (Style::Latex, false) => r" \, ",
+                });
+            }
+            text.push_str(&factor);
+        }
+        Written::new(text, Level::Product)
+    }
+
+    fn quotient(&self, mut top: Vec<(Class, Written)>, bottom: Vec<(Class, Written)>) -> Written {
+        if self.is_latex() {
+            // Sums stand behind the fraction of what is simple: `F_N/F_p (…)`.
+            let is_sum = |(class, _): &(Class, Written)| *class == Class::Sum;
+            let mut behind = Vec::new();
+            if top.len() > 1 && !top.iter().all(is_sum) && !bottom.iter().any(is_sum) {
+                behind = top
+                    .iter()
+                    .filter(|factor| is_sum(factor))
+                    .cloned()
+                    .collect();
+                top.retain(|factor| !is_sum(factor));
+            }
+            let (over, under) = (self.side_by_side(&top), self.side_by_side(&bottom));
+            let fraction = format!(r"\frac{{{}}}{{{}}}", over.text, under.text);
+            let fraction = Written::new(fraction, Level::Product);
+            if behind.is_empty() {
+                return fraction;
+            }
+            let fraction = Written::new(fraction.text, Level::Power);
+            behind.insert(0, (Class::Number, fraction));
+            return self.side_by_side(&behind);
+        }
+        let simple = top.len() == 1 && bottom.len() == 1;
+        let over = self.at_least(Level::Product, self.side_by_side(&top));
+        let under = self.at_least(Level::Power, self.side_by_side(&bottom));
+        let simple = simple && !over.contains(' ') && !under.contains(' ');
+        let bar = if simple { "/" } else { " / " };
+        Written::new(format!("{over}{bar}{under}"), Level::Product)
+    }
+
+    /// `(v/v_S)²` for what is v² v_S⁻² inside.
+    fn power_of_quotient(
+        &mut self,
+        magnitude: &Rational,
+        factors: &[(Expr, Rational)],
+    ) -> Option<Written> {
+        let [(first, m), (second, n)] = factors else {
+            return None;
+        };
+        let whole = m.is_integer() && !m.abs().is_one() && *m == -n.clone();
+        if !magnitude.is_one() || !whole {
+            return None;
+        }
+        let [over, under] = if m.is_positive() {
+            [*first, *second]
+        } else {
+            [*second, *first]
+        };
+        let one = (Class::Symbol, Written::new("", Level::Atom));
+        let [mut top, mut bottom] = [one.clone(), one];
+        top.1 = self.expr(over);
+        bottom.1 = self.expr(under);
+        let quotient = self.quotient(vec![top], vec![bottom]);
+        let base = self.parentheses(&quotient.text);
+        Some(self.raised(&base, &m.abs()))
+    }
+
+    /// Whether a minus sign can go into the factor: `-sin(a - b)` is `sin(b - a)`.
+    fn turns(&self, factor: Expr) -> bool {
+        use Function::*;
+        match self.graph.node(factor) {
+            Node::Function(CosDifference | SinDifference, _) => true,
+            Node::Function(Sin | Tan, arguments) => match self.graph.node(arguments[0]) {
+                Node::Sum { constant, terms } => {
+                    constant.is_negative() || terms.iter().any(|(_, k)| k.is_negative())
+                }
+                Node::Number(_)
+                | Node::Pi
+                | Node::Symbol(_)
+                | Node::Product { .. }
+                | Node::Function(..) => false,
+            },
+            Node::Number(_)
+            | Node::Pi
+            | Node::Symbol(_)
+            | Node::Sum { .. }
+            | Node::Product { .. }
+            | Node::Function(..) => false,
+        }
+    }
+
+    /// A factor of a product; the one that is `turned` takes in the minus sign.
+    fn factor(&mut self, factor: Expr, exponent: &Rational, turned: Option<Expr>) -> Written {
+        if turned == Some(factor)
+            && let Node::Function(function, arguments) = self.graph.node(factor)
+        {
+            return self.turned(*function, arguments);
+        }
+        self.power(factor, exponent)
+    }
+
+    /// `base^exponent` for a positive exponent.
+    fn power(&mut self, base: Expr, exponent: &Rational) -> Written {
+        if exponent.is_one() {
+            return self.expr(base);
+        }
+        if *exponent.denom() == 2.into() && exponent.numer().is_one() {
+            let inner = self.expr(base).text;
+            return if self.is_latex() {
+                Written::new(format!(r"\sqrt{{{inner}}}"), Level::Power)
+            } else {
+                Written::new(format!("sqrt({inner})"), Level::Atom)
+            };
+        }
+        if let Node::Function(function, arguments) = self.graph.node(base)
+            && exponent.is_integer()
+            && let Some(written) = self.function_power(*function, arguments, exponent)
+        {
+            return written;
+        }
+        let inner = self.expr(base);
+        let inner = self.at_least(Level::Atom, inner);
+        self.raised(&inner, exponent)
+    }
+
+    fn raised(&self, base: &str, exponent: &Rational) -> Written {
+        Written::new(
+            format!("{base}{}", number::exponent(exponent, self.style)),
+            Level::Power,
+        )
+    }
+}
+
+/// Moves the first positive term to the front, if there is one.
+fn lead_with_positive(terms: &mut [Term]) {
+    if let Some(positive) = terms.iter().position(|term| !term.negative) {
+        terms[..=positive].rotate_right(1);
+    }
+}
+
+/// A sum of terms on one line.
+fn join(terms: &[Term]) -> Written {
+    let mut text = String::new();
+    for (index, term) in terms.iter().enumerate() {
+        text.push_str(match (index, term.negative) {
+            (0, false) => "",
+            (0, true) => "-",
+            (_, false) => " + ",
+            (_, true) => " - ",
+        });
+        text.push_str(&term.text);
+    }
+    Written::new(text, Level::Sum)
+}
+
+#[cfg(test)]
+#[path = "print/tests.rs"]
+mod tests;
