@@ -67,6 +67,60 @@ pub struct Model {
     pub stops: Vec<Stop>,
     /// What the symbols for mechanical quantities in expressions stand for, in order of first use.
     pub measures: Vec<MeasureUse>,
+    /// Assumptions that the model file leaves to the reader, for `check` to state.
+    pub notes: Vec<Note>,
+    /// Paths of files that were read on the way, as written in the model.
+    pub files: Vec<String>,
+}
+
+impl Model {
+    /// A model of that source with ground alone.
+    pub fn empty(source: Source) -> Self {
+        let mut graph = Graph::new();
+        let time = graph.symbol("t", "t");
+        Self {
+            name: String::new(),
+            doc: String::new(),
+            source,
+            graph,
+            time,
+            params: Vec::new(),
+            lets: Vec::new(),
+            sets: Vec::new(),
+            inputs: Vec::new(),
+            drives: Vec::new(),
+            bodies: vec![Body {
+                name: "ground".to_owned(),
+                kind: BodyKind::Ground,
+                masses: Vec::new(),
+                span: Span::default(),
+            }],
+            pins: Vec::new(),
+            points: Vec::new(),
+            hinges: Vec::new(),
+            springs: Vec::new(),
+            contacts: Vec::new(),
+            loads: Vec::new(),
+            gravity: None,
+            coordinates: Vec::new(),
+            initial: Vec::new(),
+            start: Start::default(),
+            outputs: Vec::new(),
+            stops: Vec::new(),
+            measures: Vec::new(),
+            notes: Vec::new(),
+            files: Vec::new(),
+        }
+    }
+}
+
+/// Something that was assumed: `crank` `has the inertia of a slender bar`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// Name of what it is about.
+    pub subject: String,
+    /// What was assumed.
+    pub words: String,
 }
 
 /// A quantity that a user may set.

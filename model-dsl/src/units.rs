@@ -1,15 +1,14 @@
-//! Dimensions of quantities.
+//! Dimensions, units and quantities: what `3.6e6 N/m` means.
+//!
+//! A [`Dimension`] is a product of powers of the SI base units; a [`Unit`] is one symbol or chain of
+//! symbols of a closed list with its exact factor to SI; [`parse_quantity`] reads a number with a
+//! unit as it stands on a command line. Model files use the same units through the grammar.
 
-/// Dimension of a quantity.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Dimension {
-    /// Exponents of m, kg, s, A, K, each in halves so that square roots have a place.
-    pub(crate) halves: [i16; 5],
-}
+mod dimension;
+mod quantity;
+mod unit;
 
-impl Dimension {
-    /// The coherent SI unit, `1` for a number or an angle: `N/m`.
-    pub fn si_unit(self) -> String {
-        "1".to_owned()
-    }
-}
+pub use dimension::{Dimension, Mark};
+pub(crate) use quantity::exact_decimal;
+pub use quantity::{NumberError, parse_quantity};
+pub use unit::Unit;

@@ -3,4 +3,5 @@
 //! [`Friction`](crate::model::Friction) that later stages treat alike.
 
 pub mod friction;
+pub mod hinges;
 pub mod waveforms;

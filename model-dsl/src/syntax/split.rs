@@ -1,0 +1,319 @@
+//! Cuts a file into items and sorts out comments, line ends and nesting.
+//!
+//! An item starts a line outside all brackets and ends before the next one. A line end separates
+//! entries in braces and ends items, except inside parentheses, after a comma or an operator, and
+//! before one. The text of an item has the same bytes as the file, only comments and line ends that
+//! separate nothing are blanked, so places stay true.
+
+use crate::source::Span;
+
+use super::parse::{KEYWORDS, Problem};
+
+/// Deepest nesting of brackets and conditionals.
+pub(super) const DEEPEST: usize = 64;
+
+/// One item's text.
+pub(super) struct Piece {
+    /// Its place.
+    pub span: Span,
+    /// Its text, of the same length: comments are blanks, idle line ends are form feeds.
+    pub text: String,
+}
+
+/// The pieces of a file.
+pub(super) struct Split {
+    /// Text of the `//!` comment.
+    pub doc: String,
+    /// Items in order.
+    pub pieces: Vec<Piece>,
+    /// What is wrong.
+    pub problems: Vec<Problem>,
+}
+
+/// Cuts `text` into items.
+pub(super) fn split(text: &str) -> Split {
+    let mut splitter = Splitter {
+        text,
+        doc: Vec::new(),
+        start: None,
+        clean: String::new(),
+        open: Vec::new(),
+        last: None,
+        conditionals: 0,
+        refused: false,
+        pieces: Vec::new(),
+        problems: Vec::new(),
+    };
+    splitter.run();
+    Split {
+        doc: splitter.doc.join("\n").trim().to_owned(),
+        pieces: splitter.pieces,
+        problems: splitter.problems,
+    }
+}
+
+struct Splitter<'a> {
+    text: &'a str,
+    doc: Vec<&'a str>,
+    /// Start of the present item.
+    start: Option<usize>,
+    /// Its text so far.
+    clean: String,
+    /// Open brackets with their places.
+    open: Vec<(char, usize)>,
+    /// Last character that means something; a line end if that separates.
+    last: Option<char>,
+    /// Number of `if` in the present item.
+    conditionals: usize,
+    /// Whether the present item was refused already.
+    refused: bool,
+    pieces: Vec<Piece>,
+    problems: Vec<Problem>,
+}
+
+impl<'a> Splitter<'a> {
+    fn run(&mut self) {
+        let mut at = 0;
+        while let Some(c) = self.text[at..].chars().next() {
+            let rest = &self.text[at..];
+            at += match c {
+                '\n' => self.line_end(at),
+                '/' if rest.starts_with("//") => self.comment(rest),
+                '"' => self.string(at, rest),
+                '(' | '{' => self.opening(at, c),
+                ')' | '}' => self.closing(at, c),
+                c if c.is_whitespace() => self.keep(at, c, false),
+                c if is_word(c) => self.word(at, rest),
+                c => self.keep(at, c, true),
+            };
+        }
+        self.finish();
+    }
+
+    fn keep(&mut self, at: usize, c: char, matters: bool) -> usize {
+        if matters {
+            self.begin(at);
+            self.last = Some(c);
+        }
+        if self.start.is_some() {
+            self.clean.push(c);
+        }
+        c.len_utf8()
+    }
+
+    fn begin(&mut self, at: usize) {
+        if self.start.is_none() {
+            self.start = Some(at);
+            self.clean.clear();
+            self.refused = false;
+            self.conditionals = 0;
+        }
+    }
+
+    fn word(&mut self, at: usize, rest: &str) -> usize {
+        let end = rest.find(|c| !is_word(c)).unwrap_or(rest.len());
+        let word = &rest[..end];
+        if self.start.is_some() && self.starts_item(at, rest, word) {
+            self.finish();
+        }
+        self.begin(at);
+        if word == "if" {
+            self.conditionals += 1;
+            self.check_depth(at, at + end);
+        }
+        self.clean.push_str(word);
+        self.last = word.chars().next_back();
+        if matches!(word, "and" | "or" | "then" | "else" | "if") {
+            self.last = Some('+');
+        }
+        end
+    }
+
+    /// Whether an item seems to start here, although a bracket is open: a keyword at the very start
+    /// of a line, with a name after it.
+    fn starts_item(&self, at: usize, rest: &str, word: &str) -> bool {
+        let at_line_start = at == 0 || self.text.as_bytes()[at - 1] == b'\n';
+        let follower = rest[word.len()..].trim_start_matches([' ', '\t']);
+        at_line_start
+            && KEYWORDS.contains(&word)
+            && follower.len() < rest.len() - word.len()
+            && follower.chars().next().is_some_and(is_word)
+    }
+
+    fn comment(&mut self, rest: &'a str) -> usize {
+        let end = rest.find('\n').unwrap_or(rest.len());
+        let comment = &rest[..end];
+        if let Some(doc) = comment.strip_prefix("//!")
+            && self.start.is_none()
+        {
+            self.doc
+                .push(doc.strip_prefix(' ').unwrap_or(doc).trim_end());
+        }
+        if self.start.is_some() {
+            self.clean.extend(std::iter::repeat_n(' ', end));
+        }
+        end
+    }
+
+    fn string(&mut self, at: usize, rest: &str) -> usize {
+        self.begin(at);
+        let mut escaped = false;
+        for (offset, c) in rest.char_indices().skip(1) {
+            match c {
+                '\n' => {
+                    self.problems.push(Problem::new(
+                        "these words have no closing quotation mark",
+                        Span::new(at, at + offset),
+                        "words stand between `\"` and `\"` on one line",
+                    ));
+                    // Blanked rather than kept, so that the item still has a chance to be read.
+                    self.clean.extend(std::iter::repeat_n(' ', offset));
+                    return offset;
+                }
+                '"' if !escaped => {
+                    self.clean.push_str(&rest[..=offset]);
+                    self.last = Some('"');
+                    return offset + 1;
+                }
+                _ => escaped = c == '\\' && !escaped,
+            }
+        }
+        self.problems.push(Problem::new(
+            "these words have no closing quotation mark",
+            Span::new(at, self.text.len()),
+            "words stand between `\"` and `\"` on one line",
+        ));
+        self.clean.extend(std::iter::repeat_n(' ', rest.len()));
+        rest.len()
+    }
+
+    fn opening(&mut self, at: usize, c: char) -> usize {
+        self.begin(at);
+        self.open.push((c, at));
+        self.check_depth(at, at + 1);
+        self.keep(at, c, true)
+    }
+
+    fn closing(&mut self, at: usize, c: char) -> usize {
+        let opening = if c == ')' { '(' } else { '{' };
+        match self.open.last() {
+            Some(&(open, _)) if open == opening => {
+                self.open.pop();
+                self.keep(at, c, true)
+            }
+            Some(&(open, place)) => {
+                // A brace closes parentheses that were forgotten, so that the rest is readable.
+                let hint = "close what was opened last first";
+                let problem = Problem::new(
+                    format!("`{open}` is closed by `{c}`"),
+                    Span::new(at, at + 1),
+                    hint,
+                );
+                self.refuse(problem.related(
+                    Span::new(place, place + open.len_utf8()),
+                    format!("`{open}` opens here"),
+                ));
+                while let Some((popped, _)) = self.open.pop() {
+                    if popped == opening {
+                        break;
+                    }
+                }
+                self.keep(at, c, true)
+            }
+            None => {
+                self.begin(at);
+                self.refuse(Problem::new(
+                    format!("`{c}` closes nothing"),
+                    Span::new(at, at + 1),
+                    "remove it, or open it first",
+                ));
+                self.keep(at, ' ', false)
+            }
+        }
+    }
+
+    fn line_end(&mut self, at: usize) -> usize {
+        if self.start.is_none() {
+            return 1;
+        }
+        let in_parentheses = matches!(self.open.last(), Some(('(', _)));
+        let after_operator = matches!(
+            self.last,
+            Some(',' | '=' | '+' | '-' | '*' | '/' | '^' | '<' | '>' | '{' | ':' | '\n')
+        );
+        let idle = in_parentheses
+            || after_operator
+            || match next_character(&self.text[at..]) {
+                Some('+' | '-' | '*' | '/' | '^' | '<' | '>' | ',' | '=') => true,
+                Some('{') => self.open.is_empty(),
+                Some('}' | ')') => !self.open.is_empty(),
+                _ => false,
+            };
+        if idle {
+            self.clean.push('\u{C}');
+            self.last = Some('\n');
+        } else if self.open.is_empty() {
+            self.finish();
+        } else {
+            self.clean.push('\n');
+            self.last = Some('\n');
+        }
+        1
+    }
+
+    fn check_depth(&mut self, start: usize, end: usize) {
+        if self.open.len() + self.conditionals > DEEPEST {
+            self.refuse(Problem::new(
+                format!("this is nested more than {DEEPEST} levels deep"),
+                Span::new(start, end),
+                "name parts of it with `let` or `drive`",
+            ));
+        }
+    }
+
+    /// Reports the first problem of the present item and keeps the parser from seeing the item.
+    fn refuse(&mut self, problem: Problem) {
+        if !self.refused {
+            self.problems.push(problem);
+        }
+        self.refused = true;
+    }
+
+    fn finish(&mut self) {
+        if let Some(&(c, at)) = self.open.first() {
+            let closing = if c == '(' { ')' } else { '}' };
+            self.refuse(Problem::new(
+                format!("`{c}` is never closed"),
+                Span::new(at, at + 1),
+                format!("add the missing `{closing}`"),
+            ));
+        }
+        self.open.clear();
+        if let Some(start) = self.start.take() {
+            let text = std::mem::take(&mut self.clean);
+            let kept = text.trim_end().len();
+            if !self.refused {
+                self.pieces.push(Piece {
+                    span: Span::new(start, start + kept),
+                    text: text[..kept].to_owned(),
+                });
+            }
+        }
+        self.last = None;
+    }
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_' || c == '.'
+}
+
+/// The next character that is neither blank, nor a line end, nor in a comment.
+fn next_character(mut rest: &str) -> Option<char> {
+    loop {
+        rest = rest.trim_start();
+        if !rest.starts_with("//") {
+            return rest.chars().next();
+        }
+        rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
+    }
+}
