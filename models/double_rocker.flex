@@ -81,7 +81,8 @@ param Fp = 20 N                                                     "preload"
 param sigma0 = 5e6 N/m                                              "bristle stiffness"
 param sigma1 = 5 N*s/m                                              "bristle damping"
 param sigma2 = 0.5 N*s/m                                            "viscous friction"
-param mu_s = 0.3, mu_c = 0.2                                        "coefficient of static and of sliding friction"
+param mu_s = 0.3                                                    "coefficient of static friction"
+param mu_c = 0.2                                                    "coefficient of sliding friction"
 param v_s  = 1 mm/s                                                 "Stribeck velocity"
 
 point C on coupler at (ln, 0 mm)
@@ -96,7 +97,10 @@ contact tip between C and stage {
 
 // ── Results ──────────────────────────────────────────────────────────────────────────────────
 
-output speed = stage.v      "velocity of the slider"
+output speed    = stage.v                                           "velocity of the slider"
+output position = stage.x                                           "position of the slider"
+output lag      = xp - stack.x                                      "stroke that the stack's stiffness takes up"
+output friction = tip.friction                                      "friction force on the slider"
 
 set table2 "tables 2 and 3 of the article" {
   sigma0 = 2e6 N/m, mu_s = 0.15, mu_c = 0.10

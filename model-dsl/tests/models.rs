@@ -23,7 +23,44 @@ fn shown(diagnostics: &[impl ToString]) -> String {
 }
 
 #[test]
-fn double_rocker_resolves() {
+fn every_model_resolves() {
+    for name in [
+        "double_rocker",
+        "four_bar",
+        "lugre_mass",
+        "msdm",
+        "pendulum",
+    ] {
+        let model = model(name);
+        assert_eq!(model.name, name);
+        assert!(!model.doc.is_empty(), "{name} says what it is");
+        for param in &model.params {
+            assert!(
+                !param.doc.is_empty(),
+                "{name}: `{}` has its words",
+                param.name
+            );
+        }
+    }
+}
+
+#[test]
+fn params_of_the_actuator_are_those_of_the_article() {
     let model = model("double_rocker");
-    println!("{model:#?}");
+    let names: Vec<&str> = model
+        .params
+        .iter()
+        .map(|param| param.name.as_str())
+        .collect();
+    let mut sorted = names.clone();
+    sorted.sort_unstable();
+    let mut expected: Vec<&str> =
+        "E b h e r l1 l2 l3 l4 m1 m2 m3 beta1 beta2 beta3 la ln mp kp cp \
+                                   ku ms Fp sigma0 sigma1 sigma2 mu_s mu_c v_s f stroke rise"
+            .split_whitespace()
+            .collect();
+    expected.sort_unstable();
+    assert_eq!(sorted, expected);
+    assert_eq!(model.sets.len(), 1);
+    assert_eq!(model.sets[0].values.len(), 6);
 }
