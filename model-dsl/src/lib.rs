@@ -6,7 +6,7 @@ pub mod notation;
 pub mod parts;
 pub mod resolve;
 pub mod source;
-mod suggest;
+pub mod suggest;
 pub mod symbolic;
 pub mod syntax;
 pub mod units;

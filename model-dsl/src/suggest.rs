@@ -1,7 +1,7 @@
 //! Did you mean … ?
 
 /// The candidate closest to `word`, if one is close enough to be meant; the first among equals.
-pub(crate) fn closest<'a>(
+pub fn closest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {

@@ -212,8 +212,13 @@ impl Picture {
                 "<path class=\"thin\" d=\"{}\"/>",
                 line(tail, tip) + &head(tail, tip, 5.0)
             );
-            let off = across.map(|c| -side * c);
-            self.labels.add(&slide.name, true, at, off, depth + 12.0);
+            // The name stands opposite the rail, unless the slide touches something there.
+            let (toward, reach) = match slide.touches {
+                Some(_) => (side, depth + 22.0),
+                None => (-side, depth + 12.0),
+            };
+            let toward = across.map(|c| toward * c);
+            self.labels.add(&slide.name, true, at, toward, reach);
             for k in -3..=3 {
                 self.labels
                     .avoid(place(f64::from(k) * half / 3.0, 0.0), depth);
