@@ -16,7 +16,7 @@ use crate::system::System;
 /// A look right behind an event: it may soon happen again.
 const FIRST_LOOK: f64 = 1e-3;
 /// Firings of one event after each other, each within [`CLOSE`] of the last, before it is chatter.
-const MOST_CLOSE: u32 = 20;
+const MOST_CLOSE: u32 = 10;
 /// Events this near to each other, relative to time, are close.
 const CLOSE: f64 = 1e-10;
 
@@ -231,8 +231,8 @@ impl Crossings {
             &flow.u,
             &mut self.probe,
         );
-        let from = if at > b && gb < 0.0 { b } else { a };
-        (self.probe[index] >= 0.0).then_some((from, at))
+        let (from, below) = if at > b { (b, gb) } else { (a, ga) };
+        (below < 0.0 && self.probe[index] >= 0.0).then_some((from, at))
     }
 
     /// The value of one event function on the dense output.
@@ -273,14 +273,11 @@ impl Crossings {
         if !(above >= 0.0) {
             return None;
         }
-        let mut below = self.start[index];
-        if low > 0.0 {
-            below = self.at(flow, method, step, index, low);
-            if !(below < 0.0) {
-                (high, above) = (low, below);
-                (low, below) = (0.0, self.start[index]);
-            }
-        }
+        let mut below = if low > 0.0 {
+            self.at(flow, method, step, index, low)
+        } else {
+            self.start[index]
+        };
         if !(below < 0.0) {
             return Some(low);
         }

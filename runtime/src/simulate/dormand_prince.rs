@@ -4,7 +4,7 @@
 
 use super::accounting::Flow;
 use super::coefficients::{
-    DENSE4, DENSE5, DENSE6, DENSE7, ERROR5, Entry, ORDER3, TIMES, WEIGHTS, stage,
+    DENSE4, DENSE5, DENSE6, DENSE7, ERROR5, ERROR6, Entry, ORDER3, TIMES, WEIGHTS, stage,
 };
 use super::method::{Method, Step};
 use crate::system::System;
@@ -91,21 +91,28 @@ impl Method for DormandPrince {
         advance(&WEIGHTS, k, h, x, x_end);
     }
 
-    /// Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the step.
+    /// Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the step; or
+    /// the estimate of order 6, if larger.
+    ///
+    /// Where the motion is smooth the combination is the larger. Across a kink in the rates
+    /// (friction whose sliding turns round) it may be small by chance, and squares that chance: on
+    /// the article's actuator one step in three thousand was accepted with 20 000 times the error
+    /// allowed. The other estimate, of other stages, has not been seen small at the same time.
     fn error(&self, h: f64, allowed: &[f64]) -> f64 {
-        let (mut fifth, mut third) = (0.0, 0.0);
+        let (mut third, mut fifth, mut sixth) = (0.0, 0.0, 0.0);
         for (i, allowed) in allowed.iter().enumerate() {
-            let of_fifth = combined(&ERROR5, &self.k, i) / allowed;
-            let of_third =
-                (combined(&WEIGHTS, &self.k, i) - combined(&ORDER3, &self.k, i)) / allowed;
-            fifth += of_fifth * of_fifth;
-            third += of_third * of_third;
+            let of_third = combined(&WEIGHTS, &self.k, i) - combined(&ORDER3, &self.k, i);
+            third += (of_third / allowed).powi(2);
+            fifth += (combined(&ERROR5, &self.k, i) / allowed).powi(2);
+            sixth += (combined(&ERROR6, &self.k, i) / allowed).powi(2);
         }
         let sum = fifth + 0.01 * third;
         if sum == 0.0 {
             return 0.0;
         }
-        h.abs() * fifth / (sum * allowed.len() as f64).sqrt()
+        let count = allowed.len() as f64;
+        let combined = fifth / (sum * count).sqrt();
+        h * combined.max((sixth / count).sqrt())
     }
 
     fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>) {

@@ -7,7 +7,7 @@
 //! that a step ran into. Between breaks the right-hand side is smooth and one of two methods steps
 //! over it:
 //!
-//! - [`Simulation::rtol`] (the default, 1e-6): Dormand and Prince's 8(5,3) with step control. Each
+//! - [`Simulation::rtol`] (the default, 1e-8): Dormand and Prince's 8(5,3) with step control. Each
 //!   step's error is held below `rtol` times the largest excursion of each state from its start so
 //!   far; see [`Simulation::rtol`] for why not times the state's own size.
 //! - [`Simulation::dt`]: the classical Runge–Kutta method of order 4. The time between two breaks
@@ -29,6 +29,7 @@ mod recorder;
 mod rows;
 mod run;
 mod runge_kutta;
+mod settings;
 mod tolerance;
 mod walk;
 
@@ -41,6 +42,7 @@ use accounting::Flow;
 use dormand_prince::DormandPrince;
 use run::Table;
 use runge_kutta::RungeKutta;
+use settings::{Accuracy, Settings};
 use tolerance::StepControl;
 use walk::{Pace, Walk};
 
@@ -48,43 +50,30 @@ use walk::{Pace, Walk};
 pub fn simulate<S: System + ?Sized>(system: &S) -> Simulation<'_, S> {
     Simulation {
         system,
-        until: 0.0,
-        accuracy: Accuracy::Relative(1e-6),
-        absolute: Vec::new(),
-        longest_step: f64::INFINITY,
-        most_steps: 100_000_000,
-        every: None,
-        energy: false,
-        inputs: Vec::new(),
+        settings: Settings::default(),
     }
 }
 
 /// A run to be done.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Simulation<'s, S: System + ?Sized> {
     system: &'s S,
-    until: f64,
-    accuracy: Accuracy,
-    absolute: Vec<(String, f64)>,
-    longest_step: f64,
-    most_steps: u64,
-    every: Option<f64>,
-    energy: bool,
-    inputs: Vec<(usize, f64)>,
+    settings: Settings,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Accuracy {
-    /// Steps no longer than this, in s.
-    Step(f64),
-    /// Error per step relative to each state's excursion.
-    Relative(f64),
+impl<S: System + ?Sized> Clone for Simulation<'_, S> {
+    fn clone(&self) -> Self {
+        Self {
+            system: self.system,
+            settings: self.settings.clone(),
+        }
+    }
 }
 
 impl<S: System + ?Sized> Simulation<'_, S> {
     /// Ends the run at this time, in s.
     pub fn until(mut self, time: f64) -> Self {
-        self.until = time;
+        self.settings.until = time;
         self
     }
 
@@ -97,40 +86,40 @@ impl<S: System + ?Sized> Simulation<'_, S> {
     /// motion. Below an excursion of a millionth of the state itself, of 1 nrad, 1 pm, 1 µrad/s or
     /// 1 µm/s (1e-12 in other units), the state counts as at rest and its scale is that.
     pub fn rtol(mut self, tolerance: f64) -> Self {
-        self.accuracy = Accuracy::Relative(tolerance);
+        self.settings.accuracy = Accuracy::Relative(tolerance);
         self
     }
 
     /// Replaces the scale of one state, by name: its error per step is then held below
     /// `tolerance` (in the state's unit) plus the relative tolerance times its size.
     pub fn atol(mut self, state: &str, tolerance: f64) -> Self {
-        self.absolute.push((state.to_owned(), tolerance));
+        self.settings.absolute.push((state.to_owned(), tolerance));
         self
     }
 
     /// Fixed steps no longer than this, in s, by the classical Runge–Kutta method of order 4.
     pub fn dt(mut self, step: f64) -> Self {
-        self.accuracy = Accuracy::Step(step);
+        self.settings.accuracy = Accuracy::Step(step);
         self
     }
 
     /// Adaptive steps no longer than this, in s: for excitations so short that a long step would
     /// not notice them.
     pub fn max_step(mut self, step: f64) -> Self {
-        self.longest_step = step;
+        self.settings.longest_step = step;
         self
     }
 
     /// Gives up after this many steps, rejected ones included; 100 million unless given.
     pub fn max_steps(mut self, steps: u64) -> Self {
-        self.most_steps = steps;
+        self.settings.most_steps = steps;
         self
     }
 
     /// Records rows at the multiples of `interval`, in s, and at the end, by the method's dense
     /// output; without it a row at the end of every step, and two at an event.
     pub fn every(mut self, interval: f64) -> Self {
-        self.every = Some(interval);
+        self.settings.every = Some(interval);
         self
     }
 
@@ -143,14 +132,14 @@ impl<S: System + ?Sized> Simulation<'_, S> {
     /// drive jumps, the jump of the stored energy counts as supplied; what an event changes counts
     /// as supplied if energy rises and as dissipated if it falls.
     pub fn energy(mut self, wanted: bool) -> Self {
-        self.energy = wanted;
+        self.settings.energy = wanted;
         self
     }
 
     /// Holds an input, by its position in [`System::inputs`], at this value instead of its start
     /// value.
     pub fn input(mut self, index: usize, value: f64) -> Self {
-        self.inputs.push((index, value));
+        self.settings.inputs.push((index, value));
         self
     }
 
@@ -185,31 +174,32 @@ impl<S: System + ?Sized> Simulation<'_, S> {
     }
 
     fn go(&self, recorder: &mut dyn Recorder) -> (Summary, Option<Breakdown>) {
-        let inputs = match self.checked_inputs() {
+        let settings = &self.settings;
+        let inputs = match settings.inputs(self.system.inputs()) {
             Ok(inputs) => inputs,
             Err(breakdown) => return (Summary::default(), Some(breakdown)),
         };
-        let flow = Flow::new(self.system, inputs, self.energy);
-        match self.accuracy {
+        let flow = Flow::new(self.system, inputs, settings.energy);
+        match settings.accuracy {
             Accuracy::Step(dt) => {
                 let method = RungeKutta::new(flow.width());
                 Walk::new(
                     flow,
                     method,
                     Pace::Fixed(dt),
-                    self.until,
-                    self.every,
+                    settings.until,
+                    settings.every,
                     recorder,
                 )
-                .run(self.most_steps)
+                .run(settings.most_steps)
             }
             Accuracy::Relative(rtol) => {
                 let control = match StepControl::new(
                     self.system.states(),
                     rtol,
-                    &self.absolute,
-                    self.longest_step,
-                    self.until,
+                    &settings.absolute,
+                    settings.longest_step,
+                    settings.until,
                 ) {
                     Ok(control) => control,
                     Err(breakdown) => return (Summary::default(), Some(breakdown)),
@@ -219,78 +209,12 @@ impl<S: System + ?Sized> Simulation<'_, S> {
                     flow,
                     method,
                     Pace::Adaptive(control),
-                    self.until,
-                    self.every,
+                    settings.until,
+                    settings.every,
                     recorder,
                 )
-                .run(self.most_steps)
+                .run(settings.most_steps)
             }
         }
-    }
-
-    fn checked_inputs(&self) -> Result<Vec<f64>, Breakdown> {
-        let positive = |value: f64| value > 0.0 && value.is_finite();
-        if !(self.until >= 0.0 && self.until.is_finite()) {
-            return Err(Breakdown::setting(
-                format!("a run cannot end at t = {} s", self.until),
-                "give an end time of zero or more",
-            ));
-        }
-        if let Accuracy::Step(dt) = self.accuracy {
-            if !positive(dt) {
-                return Err(Breakdown::setting(
-                    format!("the step cannot be {dt} s"),
-                    "give a step longer than zero",
-                ));
-            }
-            if self.until / dt > self.most_steps as f64 {
-                return Err(Breakdown::setting(
-                    format!(
-                        "the run would take {:.1e} steps, more than {} are not allowed",
-                        self.until / dt,
-                        self.most_steps
-                    ),
-                    "give a longer step, or a tolerance instead of a step",
-                ));
-            }
-        }
-        if let Some(every) = self.every {
-            if !positive(every) {
-                return Err(Breakdown::setting(
-                    format!("rows cannot be {every} s apart"),
-                    "give an interval longer than zero",
-                ));
-            }
-            if self.until / every > 1e9 {
-                return Err(Breakdown::setting(
-                    format!("the run would have {:.1e} rows", self.until / every),
-                    "give a longer interval between rows",
-                ));
-            }
-        }
-        if !(self.longest_step > 0.0) {
-            return Err(Breakdown::setting(
-                format!("the longest step cannot be {} s", self.longest_step),
-                "give a longest step longer than zero",
-            ));
-        }
-        let variables = self.system.inputs();
-        let mut values: Vec<f64> = variables.iter().map(|v| v.start.unwrap_or(0.0)).collect();
-        for &(index, value) in &self.inputs {
-            let Some(place) = values.get_mut(index) else {
-                return Err(Breakdown::setting(
-                    format!("there is no input {index}"),
-                    format!("the model has {} inputs, counted from 0", variables.len()),
-                ));
-            };
-            if !value.is_finite() {
-                return Err(Breakdown::setting(
-                    format!("input `{}` cannot be {value}", variables[index].name),
-                    "give a finite value",
-                ));
-            }
-            *place = value;
-        }
-        Ok(values)
     }
 }

@@ -10,7 +10,7 @@ const LARGEST_CUT: f64 = 0.2;
 /// The share of the step that just meets the tolerance.
 const SAFETY: f64 = 0.9;
 /// Exponent of the error of the step before, in proportional–integral control.
-const MEMORY: f64 = 0.04;
+const MEMORY: f64 = 0.02;
 /// One over the order of the error estimate in the step.
 const EXPONENT: f64 = 1.0 / 8.0;
 
@@ -114,7 +114,7 @@ impl StepControl {
         for (state, &x) in self.states.iter_mut().zip(x_end) {
             state.excursion = state.excursion.max((x - state.start).abs());
         }
-        let proportional = error.powf(-(EXPONENT - 0.75 * MEMORY));
+        let proportional = error.powf(-(EXPONENT - 0.2 * MEMORY));
         let growth = SAFETY * proportional * self.last_error.powf(MEMORY);
         let growth = growth.clamp(
             LARGEST_CUT,
