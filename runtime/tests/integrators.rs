@@ -196,7 +196,7 @@ fn ball(restitution: f64) -> FnSystem {
     .event(
         |_, x, _| -x[0],
         move |_, x, _| {
-            x[1] = -restitution * x[1];
+            x[1] *= -restitution;
             EventAction::Continue
         },
     )

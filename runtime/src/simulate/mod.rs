@@ -1,9 +1,11 @@
 //! Simulating a [`System`]: from its start state to an end time, by steps that never straddle a
 //! kink of a drive or an event.
 //!
-//!     simulate(&system) ──settings──▶ walk ──steps of a method──▶ rows ──▶ a Run, or a Recorder
+//! ```text
+//! simulate(&system) ──settings──▶ walk ──steps of a method──▶ rows ──▶ a Run, or a Recorder
+//! ```
 //!
-//! [`walk`](self) carries a run from break to break: the end, the next kink of a drive, an event
+//! The walk carries a run from break to break: the end, the next kink of a drive, an event
 //! that a step ran into. Between breaks the right-hand side is smooth and one of two methods steps
 //! over it:
 //!
@@ -25,6 +27,7 @@ mod coefficients;
 mod crossing;
 mod dormand_prince;
 mod method;
+mod pace;
 mod recorder;
 mod rows;
 mod run;
@@ -40,11 +43,12 @@ pub use run::{Column, Ending, EventRecord, Run, Statistics, Summary};
 use crate::system::System;
 use accounting::Flow;
 use dormand_prince::DormandPrince;
+use pace::Pace;
 use run::Table;
 use runge_kutta::RungeKutta;
 use settings::{Accuracy, Settings};
 use tolerance::StepControl;
-use walk::{Pace, Walk};
+use walk::Walk;
 
 /// Starts to describe a run of `system` from its start state at t = 0; [`Simulation::run`] does it.
 pub fn simulate<S: System + ?Sized>(system: &S) -> Simulation<'_, S> {
@@ -186,7 +190,7 @@ impl<S: System + ?Sized> Simulation<'_, S> {
                 Walk::new(
                     flow,
                     method,
-                    Pace::Fixed(dt),
+                    Pace::fixed(dt),
                     settings.until,
                     settings.every,
                     recorder,

@@ -11,10 +11,10 @@ use super::accounting::Flow;
 use super::breakdown::{Breakdown, BreakdownKind, Place};
 use super::crossing::{Crossings, Found};
 use super::method::{Method, Step};
+use super::pace::{Pace, Trial};
 use super::recorder::Recorder;
 use super::rows::Rows;
 use super::run::{Ending, EventRecord, Summary};
-use super::tolerance::StepControl;
 use crate::system::{EventAction, System};
 
 /// Steps between two reports of progress.
@@ -25,14 +25,6 @@ const MOST_RECORDS: usize = 100_000;
 const MOST_AT_ONCE: usize = 1000;
 /// A body may turn by this in a step.
 const QUARTER_TURN: f64 = std::f64::consts::FRAC_PI_2;
-
-/// How steps are chosen.
-pub(super) enum Pace {
-    /// The fewest equal ones that are no longer than this, in s.
-    Fixed(f64),
-    /// As accuracy asks for.
-    Adaptive(StepControl),
-}
 
 /// A run under way.
 pub(super) struct Walk<'a, S: System + ?Sized, M> {
@@ -54,26 +46,7 @@ pub(super) struct Walk<'a, S: System + ?Sized, M> {
     f_end: Vec<f64>,
     /// The next kink of each drive.
     kinks: Vec<f64>,
-    /// Equal steps to the next break.
-    stretch: Option<Stretch>,
     summary: Summary,
-}
-
-/// A stretch of equal steps.
-#[derive(Clone, Copy)]
-struct Stretch {
-    from: f64,
-    to: f64,
-    steps: f64,
-    taken: f64,
-}
-
-/// A step to be tried.
-#[derive(Clone, Copy)]
-struct Trial {
-    h: f64,
-    /// The time at its end, exactly.
-    end: f64,
 }
 
 /// Why a step cannot be accepted.
@@ -133,7 +106,6 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             d_end: d.clone(),
             f_end: vec![0.0; width],
             kinks: vec![f64::INFINITY; system.kink_count()],
-            stretch: None,
             summary: Summary::default(),
             x,
             d,
@@ -189,7 +161,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             if tried.is_multiple_of(PROGRESS_INTERVAL) {
                 recorded(self.rows.recorder.progress(self.t))?;
             }
-            let trial = self.next_trial();
+            let trial = self.pace.next(self.t, self.next_break());
             match self.attempt(trial) {
                 Ok(error) => self.accept(trial, error)?,
                 Err(rejection) => self.reject(trial, &rejection)?,
@@ -201,43 +173,6 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
     /// The time of the next kink or of the end.
     fn next_break(&self) -> f64 {
         self.kinks.iter().copied().fold(self.until, f64::min)
-    }
-
-    /// The step to try next; it ends exactly at the next break or before.
-    fn next_trial(&mut self) -> Trial {
-        let to = self.next_break();
-        match &self.pace {
-            Pace::Fixed(dt) => {
-                let stretch = self.stretch.get_or_insert_with(|| Stretch {
-                    from: self.t,
-                    to,
-                    // What exceeds a whole number by rounding takes no step of its own.
-                    steps: ((to - self.t) / dt * (1.0 - 1e-9)).ceil().max(1.0),
-                    taken: 0.0,
-                });
-                let h = (stretch.to - stretch.from) / stretch.steps;
-                stretch.taken += 1.0;
-                let end = if stretch.taken < stretch.steps {
-                    stretch.from + stretch.taken * h
-                } else {
-                    stretch.to
-                };
-                Trial { h, end }
-            }
-            Pace::Adaptive(control) => {
-                let left = to - self.t;
-                if control.wanted >= 0.999_999 * left {
-                    Trial { h: left, end: to }
-                } else if control.wanted > 0.5 * left {
-                    // Two equal steps rather than a long and a short one.
-                    let h = 0.5 * left;
-                    Trial { h, end: self.t + h }
-                } else {
-                    let h = control.wanted;
-                    Trial { h, end: self.t + h }
-                }
-            }
-        }
     }
 
     /// Takes a step to `x_end`, `d_end`, `f_end`; its error in units of what is allowed.
@@ -392,14 +327,13 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         std::mem::swap(&mut self.f, &mut self.f_end);
         self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
         recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
+        let may_have_moved_kinks = found.is_some();
         if let Some(found) = found {
             self.happen(found.all)?;
-            if let Pace::Adaptive(control) = &mut self.pace {
-                control.restart(0.25 * trial.h);
-            }
+            self.pace.restart(0.25 * trial.h);
             recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
         }
-        if self.t < self.until {
+        if self.t < self.until && (may_have_moved_kinks || self.t >= self.next_break()) {
             self.pass_kinks()?;
         }
         Ok(())
@@ -440,10 +374,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             end: (self.t + h).min(trial.end),
         };
         match self.finish(trial.end) {
-            Ok(()) => {
-                self.stretch = None;
-                Ok(trial)
-            }
+            Ok(()) => Ok(trial),
             Err(_) => Err(self.not_finite(h).into()),
         }
     }
@@ -481,7 +412,6 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             }
             events = self.crossings.jumped(&self.flow, self.t, &self.x, &self.d);
         }
-        self.stretch = None;
         self.rates()
     }
 
@@ -509,12 +439,9 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         if passed == 0 {
             return Ok(false);
         }
-        self.stretch = None;
         let events = self.crossings.jumped(&self.flow, self.t, &self.x, &self.d);
         self.happen(events)?;
-        if let Pace::Adaptive(control) = &mut self.pace {
-            control.restart(f64::INFINITY);
-        }
+        self.pace.restart(f64::INFINITY);
         Ok(true)
     }
 

@@ -1,0 +1,96 @@
+//! How steps are chosen: equal ones, or as long as accuracy allows.
+
+use super::tolerance::StepControl;
+
+/// How steps are chosen.
+pub(super) enum Pace {
+    /// Equal ones.
+    Fixed(Equal),
+    /// As accuracy asks for.
+    Adaptive(StepControl),
+}
+
+/// The fewest equal steps to each break that are no longer than a given one.
+pub(super) struct Equal {
+    longest: f64,
+    stretch: Option<Stretch>,
+}
+
+/// The way to the next break.
+struct Stretch {
+    from: f64,
+    to: f64,
+    h: f64,
+    steps: f64,
+    taken: f64,
+}
+
+/// A step to be tried.
+#[derive(Clone, Copy)]
+pub(super) struct Trial {
+    /// Its length.
+    pub h: f64,
+    /// The time at its end, exactly.
+    pub end: f64,
+}
+
+impl Pace {
+    pub fn fixed(longest: f64) -> Self {
+        Pace::Fixed(Equal {
+            longest,
+            stretch: None,
+        })
+    }
+
+    /// The step to try next from `t`; it ends exactly at the break `to`, or before.
+    pub fn next(&mut self, t: f64, to: f64) -> Trial {
+        match self {
+            Pace::Fixed(equal) => equal.next(t, to),
+            Pace::Adaptive(control) => {
+                let left = to - t;
+                if control.wanted >= 0.999_999 * left {
+                    return Trial { h: left, end: to };
+                }
+                // Two equal steps to the break rather than a long and a short one.
+                let h = control.wanted.min(if control.wanted > 0.5 * left {
+                    0.5 * left
+                } else {
+                    f64::INFINITY
+                });
+                Trial { h, end: t + h }
+            }
+        }
+    }
+
+    /// The motion goes on differently, behind a kink or an event; the next step is no longer than
+    /// `longest`.
+    pub fn restart(&mut self, longest: f64) {
+        match self {
+            Pace::Fixed(equal) => equal.stretch = None,
+            Pace::Adaptive(control) => control.restart(longest),
+        }
+    }
+}
+
+impl Equal {
+    fn next(&mut self, t: f64, to: f64) -> Trial {
+        let stretch = self.stretch.get_or_insert_with(|| {
+            // What exceeds a whole number by rounding takes no step of its own.
+            let steps = ((to - t) / self.longest * (1.0 - 1e-9)).ceil().max(1.0);
+            Stretch {
+                from: t,
+                to,
+                h: (to - t) / steps,
+                steps,
+                taken: 0.0,
+            }
+        });
+        stretch.taken += 1.0;
+        let end = if stretch.taken < stretch.steps {
+            stretch.from + stretch.taken * stretch.h
+        } else {
+            stretch.to
+        };
+        Trial { h: stretch.h, end }
+    }
+}
