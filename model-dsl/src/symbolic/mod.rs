@@ -15,11 +15,13 @@
 //! for, and how it changes, is told from outside ([`Graph::derivative`] takes the symbols' own
 //! derivatives, [`Evaluator`] their values or definitions).
 
+mod canonical;
 mod derivative;
 mod evaluate;
 mod function;
 mod graph;
 mod print;
+mod walk;
 
 pub use derivative::Rates;
 pub use evaluate::{ConditionSum, Evaluator};

@@ -363,10 +363,16 @@ impl<'g> Printer<'g> {
     fn product(&mut self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (bool, Written) {
         let mut negative = coefficient.is_negative();
         let magnitude = coefficient.abs();
-        let turned = factors
+        // The sign goes into a factor above the fraction bar if one can take it, else below.
+        let turned = [Rational::one(), -Rational::one()]
             .iter()
-            .find(|(factor, exponent)| negative && exponent.abs().is_one() && self.turns(*factor))
-            .map(|(factor, _)| *factor);
+            .find_map(|wanted| {
+                let takes = |(factor, exponent): &&(Expr, Rational)| {
+                    exponent == wanted && self.turns(*factor)
+                };
+                factors.iter().find(takes).map(|(factor, _)| *factor)
+            });
+        let turned = turned.filter(|_| negative);
         negative &= turned.is_none();
         if let [(factor, exponent)] = factors
             && magnitude.is_one()

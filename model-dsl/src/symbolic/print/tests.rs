@@ -225,8 +225,9 @@ fn sums_and_products() {
     let g = &mut w.g;
     // Not folded, so two numbers meet.
     let huge = g.powr(three, Rational::from_integer(100_000.into()));
+    let five = g.integer(5);
     let examples = [
-        g.product(&[three, huge, a]),
+        g.product(&[five, huge, a]),
         g.scale(ab, Rational::new(1.into(), 2.into())),
         {
             let square = g.powi(a, 2);
