@@ -57,6 +57,9 @@ impl Derivation<'_> {
                 &accented(&name, '\u{308}'),
                 &accented_latex(&name, "ddot"),
             );
+            for varying in [symbol, rate, acceleration] {
+                self.g.mark_varying(varying);
+            }
             self.coordinates.push(Coordinate {
                 body,
                 symbol,
@@ -125,6 +128,9 @@ impl Derivation<'_> {
             );
             self.g.symbol_written_as_sum(text, latex)
         });
+        for symbol in symbols.into_iter().chain(shifts) {
+            self.g.mark_varying(symbol);
+        }
         let zero = self.g.zero();
         let none = vec![zero; self.coordinates.len()];
         for (i, body) in [u, v].into_iter().enumerate() {
@@ -228,6 +234,7 @@ impl Derivation<'_> {
         let mut steps: Vec<Step> = Vec::new();
         let step = |this: &mut Self, steps: &mut Vec<Step>, name: &str, value, words: &str| {
             let symbol = this.names.symbol(&mut this.g, name);
+            this.g.mark_varying(symbol);
             steps.push((symbol, value, words.to_owned()));
             this.g.of(symbol)
         };
@@ -294,6 +301,7 @@ impl Derivation<'_> {
                         &format!("{letter}{sub}"),
                         &format!("{function} {latex}"),
                     );
+                    self.g.mark_varying(symbol);
                     steps.push((symbol, value, String::new()));
                     self.g.of(symbol)
                 });
@@ -392,6 +400,7 @@ impl Derivation<'_> {
         let cross = self.g.sub(products[0], products[1]);
         let dot = self.g.add(products[2], products[3]);
         let turned = self.g.atan2(cross, dot);
+        self.g.mark_varying(reference);
         let reference_value = self.g.of(reference);
         let turned = self
             .g

@@ -14,6 +14,26 @@ use super::names::{accented, accented_latex};
 use super::{Definition, Derivation, order};
 
 impl Derivation<'_> {
+    /// What the model names that changes in time: the rest follows as it is defined.
+    pub(super) fn mark_what_varies(&mut self) {
+        let model = self.model;
+        let mut varying = vec![model.time];
+        varying.extend(model.inputs.iter().map(|input| input.symbol));
+        varying.extend(model.measures.iter().map(|used| used.symbol));
+        for drive in &model.drives {
+            varying.push(drive.symbol);
+            varying.extend(drive.waveform.memory.iter().map(|memory| memory.symbol));
+        }
+        for contact in &model.contacts {
+            let friction = &contact.friction;
+            varying.extend([friction.slip, friction.normal]);
+            varying.extend(friction.states.iter().map(|state| state.symbol));
+        }
+        for symbol in varying {
+            self.g.mark_varying(symbol);
+        }
+    }
+
     /// Params must be finite, and bodies have the sizes and masses of real things.
     pub(super) fn params(&mut self) {
         for param in &self.model.params {

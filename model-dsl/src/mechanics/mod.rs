@@ -50,6 +50,7 @@ use names::Names;
 /// on themselves, initial values that cannot hold.
 pub fn derive(model: &Model, structure: &Structure) -> Result<Equations, Vec<Diagnostic>> {
     let mut derivation = Derivation::new(model, structure);
+    derivation.mark_what_varies();
     derivation.params();
     derivation.name_coordinates();
     derivation.close_loops();
@@ -153,13 +154,24 @@ impl<'m> Derivation<'m> {
             .expect("bodies on the way are assembled before they are used")
     }
 
-    /// Gives `symbol` a meaning.
+    /// Gives `symbol` a meaning. It varies if what it stands for does.
     pub(crate) fn define(&mut self, symbol: Symbol, value: Expr, meaning: impl Into<String>) {
+        if !self.is_of_params(value) {
+            self.g.mark_varying(symbol);
+        }
         self.definitions.push(Definition::Value {
             symbol,
             value,
             meaning: meaning.into(),
         });
+    }
+
+    /// Whether an expression is fixed for a run: made of params and of what follows from them.
+    pub(crate) fn is_of_params(&self, expr: Expr) -> bool {
+        self.g
+            .symbols_in(&[expr])
+            .iter()
+            .all(|symbol| !self.g.symbol_varies(*symbol))
     }
 
     /// A new symbol of that name with a meaning, as an expression.

@@ -205,19 +205,14 @@ impl Derivation<'_> {
         };
         let velocity_terms = self.velocity_terms(index, inertia);
         let slope = self.gradient(entry)[index];
-        let own = {
-            let q_rate = self.g.of(coordinate.rate);
-            let half = self.g.ratio(1, 2);
-            let square = self.g.powi(q_rate, 2);
-            self.g.product(&[half, slope, square])
-        };
+        let is_own = self.depends_on_itself_alone(index, inertia);
         let mut balance = vec![force];
         let mut left = vec![(
             format!("{} {acceleration}", inertia_text.0),
             format!("{}\\,{acceleration_latex}", inertia_text.1),
         )];
         if !self.g.is_zero(velocity_terms) {
-            let value = if velocity_terms == own {
+            let value = if is_own {
                 let name = format!("∂A{suffix}/∂{q}");
                 let latex = format!(
                     "\\frac{{\\partial A{}}}{{\\partial {q_latex}}}",
@@ -263,6 +258,25 @@ impl Derivation<'_> {
         let body = &self.model.bodies[coordinate.body];
         let title = format!("Equation of motion of `{}`", body.name);
         self.section(&title, lines);
+    }
+
+    /// Whether the velocity terms of a coordinate are ½ ∂A/∂q q̇²: nothing else moves its inertia
+    /// and it moves no other's.
+    fn depends_on_itself_alone(&mut self, index: usize, inertia: &Inertia) -> bool {
+        let n = self.coordinates.len();
+        for j in 0..n {
+            for k in 0..n {
+                let slopes = self.gradient(inertia.matrix[j][k]);
+                for (by, slope) in slopes.into_iter().enumerate() {
+                    let own = (j, k, by) == (index, index, index);
+                    let concerned = (j == index && k == index) || by == index;
+                    if concerned && !own && !self.g.is_zero(slope) {
+                        return false;
+                    }
+                }
+            }
+        }
+        true
     }
 
     /// h_i = Σ_jk (∂M_ij/∂q_k - ½ ∂M_jk/∂q_i) q̇_j q̇_k.

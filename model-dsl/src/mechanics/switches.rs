@@ -92,6 +92,7 @@ impl Derivation<'_> {
     fn mode(&mut self, condition: Expr, then: Expr, otherwise: Expr, owner: &str) -> Expr {
         let number = self.discretes.len();
         let mode = self.names.symbol(&mut self.g, &format!("mode{number}"));
+        self.g.mark_varying(mode);
         let value = self.g.of(mode);
         let (zero, one) = (self.g.zero(), self.g.one());
         let rates = self.time_rates();

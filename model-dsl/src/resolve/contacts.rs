@@ -20,16 +20,27 @@ const ENTRIES: &[&str] = &[
 
 impl Resolver<'_> {
     pub(super) fn contacts(&mut self, file: &File) {
-        for item in &file.items {
-            if let ItemKind::Contact(contact) = &item.kind
-                && let Ok(contact) = self.contact(contact)
-            {
+        let contacts: Vec<&tree::Contact> = file
+            .items
+            .iter()
+            .filter_map(|item| match &item.kind {
+                ItemKind::Contact(contact) => Some(contact),
+                _ => None,
+            })
+            .collect();
+        // A contact alone has the article's bare symbols, unless the user took one of them.
+        let taken = |name: &str| self.model.graph.symbol_texts().any(|text| text == name);
+        let is_alone =
+            contacts.len() == 1 && !["v", "F_N", "F_S", "F_C", "z"].map(taken).contains(&true);
+        for contact in contacts {
+            let qualifier = if is_alone { "" } else { &contact.name.text };
+            if let Ok(contact) = self.contact(contact, qualifier) {
                 self.model.contacts.push(contact);
             }
         }
     }
 
-    fn contact(&mut self, contact: &tree::Contact) -> Resolved<Contact> {
+    fn contact(&mut self, contact: &tree::Contact, qualifier: &str) -> Resolved<Contact> {
         let name = &contact.name;
         let owner = format!("contact `{}`", name.text);
         let entries = self.entries(&owner, &contact.entries, ENTRIES, &[], false);
@@ -75,7 +86,7 @@ impl Resolver<'_> {
             let hint = format!("write `friction = {}`", LUGRE.form());
             return Err(self.error(name.span, message, hint));
         };
-        let friction = self.friction(&name.text, law, &normal_force, preload);
+        let friction = self.friction(qualifier, law, &normal_force, preload);
         let (first, second) = (ends.0?, ends.1?);
         let guide = self.sliding_direction(contact, &first, &second)?;
         let on_link = [&first, &second]

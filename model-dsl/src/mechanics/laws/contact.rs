@@ -211,6 +211,7 @@ impl Derivation<'_> {
     ) -> Expr {
         let name = &contact.name;
         let mode = self.names.symbol(&mut self.g, &format!("closed{suffix}"));
+        self.g.mark_varying(mode);
         let closed = self.g.of(mode);
         let (zero, one) = (self.g.zero(), self.g.one());
         let index = self.discretes.len();

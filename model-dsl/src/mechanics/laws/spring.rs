@@ -234,14 +234,6 @@ impl Derivation<'_> {
         }
     }
 
-    /// Whether an expression is fixed for a run.
-    pub(in super::super) fn is_of_params(&self, expr: Expr) -> bool {
-        self.g.symbols_in(&[expr]).iter().all(|symbol| {
-            self.model.params.iter().any(|p| p.symbol == *symbol)
-                || self.model.lets.iter().any(|l| l.symbol == *symbol)
-        })
-    }
-
     /// A damper needs the rate of the expansion, so the expansion must not use velocities.
     fn refuse_rates(&mut self, expansion: Expr, spring: &Spring) {
         for symbol in self.g.symbols_in(&[expansion]) {
