@@ -195,7 +195,10 @@ pub fn escape_latex(text: &str) -> String {
             '>' => escaped.push_str(r"\textgreater{}"),
             '|' => escaped.push_str(r"\textbar{}"),
             '"' => escaped.push_str(r"\textquotedbl{}"),
-            c => escaped.push(c),
+            c => match GREEK.iter().find(|(_, letter, _)| *letter == c) {
+                Some((_, _, command)) => escaped.push_str(&format!(r"\ensuremath{{{command}}}")),
+                None => escaped.push(c),
+            },
         }
     }
     escaped
@@ -246,6 +249,7 @@ mod tests {
 
     #[test]
     fn specials_are_escaped() {
+        assert_eq!(escape_latex("angle φ"), r"angle \ensuremath{\varphi}");
         assert_eq!(
             escape_latex(r"50 % & #1_{a}^2 \n"),
             r"50 \% \& \#1\_\{a\}\textasciicircum{}2 \textbackslash{}n"

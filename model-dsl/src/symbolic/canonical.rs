@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::ops::Bound;
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
 
@@ -134,6 +135,29 @@ impl Graph {
                 | Node::Product { .. }
                 | Node::Function(..) => {}
             }
+        }
+        // (a - b)(c - d) is also (b - a)(d - c): the sign of each sum goes to the coefficient.
+        let is_plain = collected.len() == 1
+            && total.abs().is_one()
+            && collected.values().all(One::is_one);
+        if !is_plain {
+            let turned: Vec<(Expr, Rational)> = collected
+                .iter()
+                .filter(|(factor, exponent)| {
+                    exponent.is_integer()
+                        && exponent.numer().is_odd()
+                        && matches!(self.node(**factor), Node::Sum { .. })
+                        && self.is_written_negative(**factor)
+                })
+                .map(|(factor, exponent)| (*factor, exponent.clone()))
+                .collect();
+            for (factor, exponent) in turned {
+                collected.remove(&factor);
+                let opposite = self.neg(factor);
+                collect(&mut collected, opposite, exponent);
+                total = -total;
+            }
+            collected.retain(|_, exponent| !exponent.is_zero());
         }
         if collected.is_empty() {
             return self.number(total);

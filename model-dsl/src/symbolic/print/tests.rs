@@ -187,6 +187,9 @@ fn sums_and_products() {
     let three = g.integer(3);
     let root3 = g.sqrt(three);
     let bulk = g.mul(ab, cd);
+    let (minus_c, minus_ab) = (g.neg(c), g.neg(ab));
+    let [sine, turned] = [cd, ab].map(|angle| g.sin(angle));
+    let retarded = g.mul(a, sine);
     let examples = [
         minus_a,
         g.sum(&[minus_a, b]),
@@ -218,6 +221,12 @@ fn sums_and_products() {
         g.add(c, s),
         g.sub(c, s),
         g.neg(s),
+        g.mul(c, minus_ab),
+        g.div(minus_c, minus_ab),
+        g.powi(minus_ab, 2),
+        g.powi(minus_ab, -3),
+        g.sub(d, retarded),
+        g.mul(minus_c, turned),
     ];
     for expr in examples {
         w.list(expr);
