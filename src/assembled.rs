@@ -100,7 +100,7 @@ impl<'m> Assembled<'m> {
                 let (values, units): (Vec<f64>, Vec<Unit>) = fact
                     .values
                     .iter()
-                    .map(|&(expr, unit)| (self.value(expr), shown(unit)))
+                    .map(|&(expr, unit)| (without_rounding(self.value(expr)), shown(unit)))
                     .unzip();
                 (fact.subject.clone(), render(&fact.words, &values, &units))
             })
@@ -156,6 +156,11 @@ impl<'m> Assembled<'m> {
     fn point(&mut self, point: [Expr; 2]) -> Point {
         point.map(|coordinate| self.value(coordinate))
     }
+}
+
+/// What is zero but for rounding is shown as zero: angles in rad and lengths in m alike.
+fn without_rounding(value: f64) -> f64 {
+    if value.abs() < 1e-13 { 0.0 } else { value }
 }
 
 fn shown(unit: ShownUnit) -> Unit {

@@ -1,6 +1,27 @@
 //! From a model file of a planar flexure mechanism to its equations of motion in closed form and
 //! a fast simulator.
+//!
+//! A model file that is only known at run time is a [`Model`], which runs on a tape:
+//!
+//! ```
+//! let model = flexure::Model::from_path("models/double_rocker.flex")?;
+//! let mut design = model.design();
+//! design.set_written("Fp = 15 N")?;
+//! let run = flexure::simulate(&design.prepare()?).until(1e-3).rtol(1e-8).run()?;
+//! # assert!(run.column("stage.x").last() > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The compiler itself is in [`flexure_model_dsl`](model_dsl) and [`flexure_codegen`](codegen),
+//! what simulators run on in [`runtime`]; the `flexure` command stands behind the default feature
+//! `cli`.
 
+mod assembled;
+mod model;
+
+pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
 pub use flexure_codegen as codegen;
 pub use flexure_model_dsl as model_dsl;
 pub use flexure_runtime as runtime;
+pub use flexure_runtime::simulate::{Run, simulate};
+pub use model::{Design, Diagnostics, Model, quantity, split_assignment};

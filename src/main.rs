@@ -1,3 +1,7 @@
 //! The `flexure` command.
 
-fn main() {}
+mod command;
+
+fn main() -> std::process::ExitCode {
+    command::run()
+}

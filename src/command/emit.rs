@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use flexure::codegen;
+use flexure::codegen::{self, Texts, report};
+use quote::quote;
 
 use super::output::OutputFile;
 use super::settings::load;
@@ -33,8 +34,6 @@ enum Form {
     Rust,
     /// The instructions that `simulate` runs
     Tape,
-    /// The staged program as a graph in Graphviz's language
-    Dot,
 }
 
 /// Does it.
@@ -47,9 +46,14 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     let file = file.transpose()?;
     let model = load(&arguments.file, terminal)?;
     let text = match arguments.form {
-        Form::Rust => codegen::rust_source(model.program()),
-        Form::Tape => codegen::tape_listing(model.program()),
-        Form::Dot => codegen::dot(model.program()),
+        Form::Rust => {
+            let texts = Texts {
+                equations: &report::text(model.equations()),
+                latex: &report::latex(model.equations()),
+            };
+            codegen::rust_source(model.program(), texts, &quote!(::flexure::runtime))
+        }
+        Form::Tape => codegen::listing(model.program()),
     };
     match file {
         Some(file) => file.finish_with(&text),

@@ -39,12 +39,12 @@ hinge at G2 { stiffness = k }
 // The coordinate in which the equations of motion are written.
 coordinate left.angle
 
-// What moves it: a stack between ground and a point of the platform, which acts along x.
-point M on platform at (width/2, 0 mm)
+// What moves it: a stack between ground and the end of the platform, which acts along x.
 drive extension = trapezoid(stroke, frequency = frequency, rise = 0.3, hold = 0.2, fall = 0.3)
-spring stack between ground and M along (1, 0) { stiffness = ka, damping = ca, expansion = extension }
+spring stack between ground and P1 along (1, 0) { stiffness = ka, damping = ca, expansion = extension }
 
-// What to look at.
+// What to look at: a point of a body, in its frame from its first end, and measures of anything.
+point M on platform at (width/2, 0 mm)
 output drive    = extension              "extension of the stack alone"
 output position = platform.M.x - width/2 "travel of the platform"
 output speed    = platform.M.vx

@@ -31,9 +31,9 @@ pub fn mechanism(places: &Places) -> Option<(String, &'static str)> {
         svg: String::new(),
         labels: Labels::default(),
     };
-    picture.springs(&layout, &view);
     picture.slides(&layout, &view);
     picture.links(&layout, &view);
+    picture.springs(&layout, &view);
     picture.contacts(&layout, &view);
     picture.marks(&layout, &view);
     let names = picture.labels.place(view.size);

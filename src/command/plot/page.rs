@@ -112,13 +112,28 @@ fn head(html: &mut String, page: &Page) {
         .split("\n\n")
         .filter(|text| !text.trim().is_empty())
     {
-        let _ = writeln!(
-            html,
-            "<p>{}</p>",
-            escape(paragraph.trim()).replace('\n', "<br>")
-        );
+        let _ = writeln!(html, "<p>{}</p>", with_code(paragraph.trim()));
     }
     html.push_str("</header>\n");
+}
+
+/// Words with what stands between backticks set as code; lines stay lines.
+fn with_code(words: &str) -> String {
+    let parts: Vec<&str> = words.split('`').collect();
+    let mut html = String::new();
+    for (index, part) in parts.iter().enumerate() {
+        let part = escape(part);
+        // Every second part stands between two backticks, except behind a last single one.
+        let code = index % 2 == 1 && index + 1 < parts.len();
+        if code {
+            let _ = write!(html, "<code>{part}</code>");
+        } else if index % 2 == 1 {
+            let _ = write!(html, "`{part}");
+        } else {
+            html.push_str(&part);
+        }
+    }
+    html.replace('\n', "<br>")
 }
 
 fn list(html: &mut String, facts: &[(String, String)]) {
@@ -202,11 +217,12 @@ body{margin:0;background:var(--paper);color:var(--ink);font:15px/1.5 Inter,'Sego
 main{max-width:1020px;margin:0 auto;padding:32px 28px 48px}\
 h1{font-size:27px;line-height:1.2;margin:0 0 6px;letter-spacing:-.01em}\
 h2{font-size:13px;text-transform:uppercase;letter-spacing:.07em;color:var(--soft);margin:38px 0 10px;padding-bottom:5px;border-bottom:1px solid var(--grid)}\
+code{font:.92em 'JetBrains Mono','SF Mono',Consolas,'DejaVu Sans Mono',monospace}\
 header p{margin:4px 0;color:var(--soft);max-width:76ch}\
 figure{margin:0}figure svg{width:100%;height:auto;display:block}\
 figcaption,.remark{color:var(--soft);font-size:12.5px;margin:4px 0 0}\
 .mechanism{display:flex;flex-wrap:wrap;gap:20px 34px;align-items:center}\
-.mechanism figure{flex:1 1 540px}.facts{flex:1 1 300px;width:auto}\
+.mechanism figure{flex:1 1 540px}.facts{flex:1 1 300px;width:auto}.facts th{white-space:normal}\
 table{border-collapse:collapse;width:100%;font-size:13.5px}\
 th,td{text-align:left;padding:3.5px 14px 3.5px 0;border-bottom:1px solid var(--grid);vertical-align:baseline}\
 tbody th{font-weight:600;white-space:nowrap}th.plain{font-weight:400;color:var(--soft)}\

@@ -47,7 +47,7 @@ const MOST_PANELS: usize = 6;
 /// Fewer than there are colours.
 const MOST_CURVES: usize = 4;
 /// A curve this much smaller than the largest of its panel could not be read there.
-const READABLE: f64 = 1.0 / 12.0;
+const READABLE: f64 = 1.0 / 5.0;
 /// Angles that move more than this, in rad, are shown as they are, in degrees.
 const LARGE_ANGLE: f64 = 0.5;
 
