@@ -75,6 +75,7 @@ impl Resolver<'_> {
                 return Err(self.error(name.span, message, hint));
             }
             (Some(preload), None, None) => NormalForce::Constant(preload),
+            (None, None, None) if entries.misspelt("preload") => return Err(Reported),
             (None, None, None) => {
                 let message = format!("nothing presses the two sides of `{}` together", name.text);
                 let hint = "write `preload = …`, or `normal_stiffness = …`";
@@ -82,6 +83,9 @@ impl Resolver<'_> {
             }
         };
         let Some(law) = entries.value("friction") else {
+            if entries.misspelt("friction") {
+                return Err(Reported);
+            }
             let message = format!("`{}` has no friction law", name.text);
             let hint = format!("write `friction = {}`", LUGRE.form());
             return Err(self.error(name.span, message, hint));
@@ -92,7 +96,7 @@ impl Resolver<'_> {
         let on_link = [&first, &second]
             .iter()
             .any(|end| matches!(self.model.bodies[end.body].kind, BodyKind::Link(_)));
-        if normal.is_none() && (on_link || stiffness.is_some()) {
+        if normal.is_none() && !entries.misspelt("normal") && (on_link || stiffness.is_some()) {
             let message = format!("nothing says which way `{}` presses", name.text);
             let hint = format!(
                 "write `normal = (0, -1)` for a force on `{}` that points down",

@@ -7,6 +7,8 @@ use crate::syntax::tree::{Entry, Expression};
 /// Entries of one item, looked up by name.
 pub(super) struct Entries<'e> {
     found: Vec<&'e Entry>,
+    /// Known names that misspelt entries may have meant.
+    meant: Vec<String>,
     /// Entries of the form `mass at P = …`.
     pub point_masses: Vec<&'e Entry>,
 }
@@ -17,6 +19,11 @@ impl<'e> Entries<'e> {
             .iter()
             .copied()
             .find(|entry| entry.name.text == name)
+    }
+
+    /// Whether an entry that is missing was probably given under a wrong name.
+    pub(super) fn misspelt(&self, name: &str) -> bool {
+        self.meant.iter().any(|meant| meant == name)
     }
 
     pub(super) fn value(&self, name: &str) -> Option<&'e Expression> {
@@ -37,6 +44,7 @@ impl Resolver<'_> {
     ) -> Entries<'e> {
         let mut result = Entries {
             found: Vec::new(),
+            meant: Vec::new(),
             point_masses: Vec::new(),
         };
         for entry in entries {
@@ -51,7 +59,10 @@ impl Resolver<'_> {
             }
             if !known.contains(&name) {
                 let hint = match closest(name, known.iter().copied()) {
-                    Some(near) => format!("did you mean `{near}`?"),
+                    Some(near) => {
+                        result.meant.push(near.to_owned());
+                        format!("did you mean `{near}`?")
+                    }
                     None if known.is_empty() => "it takes nothing in braces".to_owned(),
                     None => format!("it takes {}", crate::syntax::listed(known)),
                 };
@@ -77,10 +88,7 @@ impl Resolver<'_> {
                 let diagnostic = self
                     .diagnostic(entry.name.span, format!("`{name}` is given twice"))
                     .hint("remove one of the two")
-                    .related(
-                        self.model.source.site(earlier.name.span),
-                        "given here first",
-                    );
+                    .related(self.site(earlier.name.span), "given here first");
                 self.report(entry.name.span, diagnostic);
                 continue;
             }

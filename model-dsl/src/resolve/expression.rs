@@ -77,11 +77,22 @@ impl Resolver<'_> {
         }
         let (have, want) = (scalar.dimension, wanted.dimension);
         if !have.same_units(want) {
-            let hint = match (have.is_none(), self.model.graph.as_number(scalar.expr)) {
-                (true, Some(_)) => format!("add the unit, such as `{}`", example_unit(wanted)),
-                _ => "check the units of what it is made of".to_owned(),
+            let is_number = self.model.graph.as_number(scalar.expr).is_some();
+            let (found, hint) = match (have.is_none(), is_number) {
+                (true, true) => (
+                    "a number without a unit".to_owned(),
+                    format!("write it in `{}`", unit_of(wanted)),
+                ),
+                (false, true) if !want.is_none() => (
+                    have.described(),
+                    format!("write it in `{}`", unit_of(wanted)),
+                ),
+                _ => (
+                    have.described(),
+                    "check the dimensions of what it is made of".to_owned(),
+                ),
             };
-            let message = format!("{what} wants {}, not {}", wanted.words, have.described());
+            let message = format!("{what} wants {}, not {found}", wanted.words);
             return Err(self.error(span, message, hint));
         }
         match (have.mark(), want.mark()) {
@@ -284,13 +295,13 @@ impl Resolver<'_> {
             _ => {}
         }
         match self.names.get(&name.text) {
-            Some(Named::Quantity(symbol, dimension, varies)) => {
+            Some(Named::Quantity(symbol, dimension, varies, kind)) => {
                 let needed = match varies {
                     Varies::Params => Scope::Params,
                     Varies::Motion => Scope::Motion,
                 };
                 let reason = match varies {
-                    Varies::Params => format!("`{}` is a quantity of its own", name.text),
+                    Varies::Params => format!("`{}` is {kind}", name.text),
                     Varies::Motion => format!("`{}` changes with time", name.text),
                 };
                 self.allow(scope, needed, name.span, &reason)?;
@@ -440,7 +451,7 @@ impl Resolver<'_> {
             let diagnostic = self
                 .diagnostic(b_span, format!("this is {second}, beside {first}"))
                 .hint(hint)
-                .related(self.model.source.site(a_span), first);
+                .related(self.site(a_span), first);
             self.report(b_span, diagnostic);
             return Err(Reported);
         }
@@ -645,7 +656,8 @@ impl Resolver<'_> {
     }
 }
 
-fn example_unit(wanted: Wanted) -> &'static str {
+/// The unit in the words of what is wanted.
+fn unit_of(wanted: Wanted) -> &'static str {
     wanted
         .words
         .rsplit_once('(')

@@ -31,10 +31,22 @@ impl Resolver<'_> {
             });
         }
         for (body, item) in bodies(file) {
-            if let ItemKind::Link(link) = item
-                && let Ok(kind) = self.link(body, link)
-            {
-                self.model.bodies[body].kind = BodyKind::Link(kind);
+            let ItemKind::Link(link) = item else {
+                continue;
+            };
+            match self.link(body, link) {
+                Ok(kind) => self.model.bodies[body].kind = BodyKind::Link(kind),
+                // It still joins what it was meant to join.
+                Err(Reported) if link.from.text == link.to.text => {}
+                Err(Reported) => {
+                    let zero = self.model.graph.zero();
+                    for end in [&link.from, &link.to] {
+                        if let Some(&place) = self.place_index.get(&end.text) {
+                            let at = Local::Cartesian(zero, zero);
+                            self.join(place, body, at, end.span, true);
+                        }
+                    }
+                }
             }
         }
     }
@@ -70,6 +82,7 @@ impl Resolver<'_> {
                 let hint = "remove `length`, or one of the drawn points";
                 return Err(self.error(given.span, message, hint));
             }
+            (None, None) if entries.misspelt("length") => return Err(Reported),
             (None, None) => {
                 let message = format!("the length of `{name}` is not given");
                 let hint = "write `length = …` in braces, or draw both of its ends";
@@ -100,6 +113,7 @@ impl Resolver<'_> {
                 let hint = "remove `angle`, or one of the drawn points";
                 return Err(self.error(entry.name.span, message, hint));
             }
+            (None, None) if entries.misspelt("angle") => return Err(Reported),
             (None, None) => {
                 let message = format!("nothing says which way `{name}` points");
                 let hint = "give a guess, as in `angle = 30 deg`, or draw both of its ends";

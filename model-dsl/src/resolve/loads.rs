@@ -45,7 +45,7 @@ impl Resolver<'_> {
             let diagnostic = self
                 .diagnostic(at.span, message)
                 .hint("give one hinge the stiffness of both")
-                .related(self.model.source.site(earlier), "declared here first");
+                .related(self.site(earlier), "declared here first");
             self.report(at.span, diagnostic);
             return Err(Reported);
         }
@@ -103,9 +103,12 @@ impl Resolver<'_> {
     /// The pin of a hinge and the two bodies that it joins.
     fn hinged(&mut self, hinge: &tree::Hinge) -> Resolved<(usize, (BodyId, BodyId))> {
         let at = &hinge.at;
-        let position = self.model.pins.iter().position(|pin| pin.name == at.text);
+        let position = self.pin_index.get(&at.text).copied();
         let Some(pin) = position else {
             let point = self.point(at)?;
+            if self.partial {
+                return Err(Reported);
+            }
             let body = self.model.points[point].body;
             let message = format!("no two bodies meet in `{}`", at.text);
             let hint = format!(
@@ -157,7 +160,7 @@ impl Resolver<'_> {
                         let diagnostic = self
                             .diagnostic(item.span, "gravity is given twice")
                             .hint("remove one of the two")
-                            .related(self.model.source.site(earlier), "given here first");
+                            .related(self.site(earlier), "given here first");
                         self.report(item.span, diagnostic);
                         continue;
                     }
@@ -165,8 +168,9 @@ impl Resolver<'_> {
                     self.model.gravity = pair.ok();
                 }
                 ItemKind::Force(on, value) => {
+                    let what = format!("the force on `{}`", on.text());
                     let on = self.end(on);
-                    let value = self.pair(value, wanted::FORCE, "a force", Scope::Motion);
+                    let value = self.pair(value, wanted::FORCE, &what, Scope::Motion);
                     let (Ok(on), Ok(value)) = (on, value) else {
                         continue;
                     };
@@ -195,7 +199,8 @@ impl Resolver<'_> {
             None => Ok(GROUND),
             Some(name) => self.body(name),
         };
-        let value = self.quantity(&torque.value, wanted::TORQUE, "a torque", Scope::Motion);
+        let what = format!("the torque on `{}`", torque.on.text);
+        let value = self.quantity(&torque.value, wanted::TORQUE, &what, Scope::Motion);
         let (on, against, value) = (on?, against?, value?);
         if on == against {
             let message = format!(

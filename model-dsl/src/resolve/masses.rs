@@ -61,15 +61,17 @@ impl Resolver<'_> {
         let length = link.length;
         let owner = Owner::of_link(&name.text, link.symbol.as_deref(), name.span);
         let section = match first(entries, "section") {
-            Some(entry) => Some(self.section(&entry.value)?),
-            None => None,
+            Some(entry) => self.section(&entry.value).map(Some),
+            None => Ok(None),
         };
-        let mass = self.link_mass_value(name, entries, section, length)?;
-        let inertia = self.given(name, entries, "inertia", wanted::INERTIA)?;
+        let given = self.given(name, entries, "mass", wanted::MASS);
+        let inertia = self.given(name, entries, "inertia", wanted::INERTIA);
         let com = match first(entries, "com") {
-            Some(entry) => Some(self.local(&entry.value, "`com`")?),
-            None => None,
+            Some(entry) => self.local(&entry.value, "`com`").map(Some),
+            None => Ok(None),
         };
+        let (section, given, inertia, com) = (section?, given?, inertia?, com?);
+        let mass = self.link_mass_value(name, entries, given, section, length)?;
         let Some((mass, span)) = mass else {
             if let Some(inertia) = inertia {
                 let center = self.center(com, length, &owner);
@@ -125,10 +127,10 @@ impl Resolver<'_> {
         &mut self,
         name: &Name,
         entries: &[Entry],
+        mass: Option<Expr>,
         section: Option<Section>,
         length: Expr,
     ) -> Resolved<Option<(Expr, Span)>> {
-        let mass = self.given(name, entries, "mass", wanted::MASS)?;
         let density = self.given(name, entries, "density", wanted::DENSITY)?;
         let span = |entry: &str| first(entries, entry).map_or(name.span, |e| e.name.span);
         match (mass, density, section) {

@@ -1,7 +1,7 @@
 //! Quantities of the moving mechanism by their names: `stage.v`, `coupler.C.x`, `energy.total`.
 
 use super::expression::{Scalar, Scope};
-use super::names::Named;
+use super::names::{Named, there_is};
 use super::{Reported, Resolved, Resolver};
 use crate::model::{BodyId, BodyKind, EnergyKind, Measure, MeasureUse};
 use crate::notation::latex_of;
@@ -158,7 +158,7 @@ impl Resolver<'_> {
             .collect();
         let hint = match closest(&last.text, known.iter().copied()) {
             Some(near) => format!("did you mean `{}.{near}`?", owner.text),
-            None => format!("there is {}", crate::syntax::listed(&paths)),
+            None => there_is(&paths),
         };
         let message = format!("`{}` has no `{}`", owner.text, last.text);
         self.error(last.span, message, hint)
@@ -285,7 +285,7 @@ impl Resolver<'_> {
                 let hint = if known.is_empty() {
                     "declare it with `hinge at POINT between BODY, BODY`".to_owned()
                 } else {
-                    format!("there is {}", crate::syntax::listed(&known))
+                    there_is(&known)
                 };
                 Err(self.error(path.span, format!("there is no hinge `{name}`"), hint))
             }

@@ -29,9 +29,9 @@ mod slides;
 mod springs;
 mod wanted;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-use flexure_runtime::diagnostic::{Diagnostic, Severity};
+use flexure_runtime::diagnostic::{Diagnostic, Severity, Site};
 
 use crate::model::{BodyId, Local, Measure, Model};
 use crate::source::{Source, Span};
@@ -53,10 +53,10 @@ pub fn resolve(
     let mut resolver = Resolver::new(source, files);
     for problem in problems {
         let mut diagnostic = Diagnostic::error(problem.message)
-            .at(resolver.model.source.site(problem.span))
+            .at(resolver.site(problem.span))
             .hint(problem.hint);
         for (span, label) in problem.related {
-            diagnostic = diagnostic.related(resolver.model.source.site(span), label);
+            diagnostic = diagnostic.related(resolver.site(span), label);
         }
         resolver.report(problem.span, diagnostic);
     }
@@ -96,6 +96,12 @@ struct Resolver<'a> {
     diagnostics: Vec<(Span, Diagnostic)>,
     names: Names,
     places: Vec<Place>,
+    /// Positions of places, of named points and of pins by name.
+    place_index: HashMap<String, usize>,
+    point_index: HashMap<String, usize>,
+    pin_index: HashMap<String, usize>,
+    /// Names of `let`s that were made on the way.
+    derived: HashSet<String>,
     measures: HashMap<Measure, Symbol>,
     /// Whether items are missing because they could not be read: names may then be unknown for
     /// that reason alone.
@@ -110,6 +116,10 @@ impl<'a> Resolver<'a> {
             diagnostics: Vec::new(),
             names: Names::default(),
             places: Vec::new(),
+            place_index: HashMap::new(),
+            point_index: HashMap::new(),
+            pin_index: HashMap::new(),
+            derived: HashSet::new(),
             measures: HashMap::new(),
             partial: false,
         }
@@ -150,7 +160,7 @@ impl<'a> Resolver<'a> {
                     let diagnostic = self
                         .diagnostic(name.span, "the model is named twice")
                         .hint("a file holds one model: remove one of the two lines")
-                        .related(self.model.source.site(earlier), "named here first");
+                        .related(self.site(earlier), "named here first");
                     self.report(name.span, diagnostic);
                 }
             }
@@ -168,11 +178,26 @@ impl<'a> Resolver<'a> {
     // ── Diagnostics ────────────────────────────────────────────────────────────────────────────
 
     fn diagnostic(&self, span: Span, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::error(message).at(self.model.source.site(span))
+        Diagnostic::error(message).at(self.site(span))
+    }
+
+    /// The place of `span`; not looked up any more once there is more than enough to report.
+    fn site(&self, span: Span) -> Site {
+        if self.full() {
+            return Source::default().site(Span::default());
+        }
+        self.model.source.site(span)
+    }
+
+    /// Whether there is more to report than anybody reads.
+    fn full(&self) -> bool {
+        self.diagnostics.len() > 2 * MOST_DIAGNOSTICS
     }
 
     fn report(&mut self, span: Span, diagnostic: Diagnostic) {
-        self.diagnostics.push((span, diagnostic));
+        if !self.full() {
+            self.diagnostics.push((span, diagnostic));
+        }
     }
 
     /// Reports an error; returns what stands for a failed result.
@@ -188,8 +213,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn warning(&mut self, span: Span, message: impl Into<String>, hint: impl Into<String>) {
-        let site = self.model.source.site(span);
-        let diagnostic = Diagnostic::warning(message).at(site).hint(hint);
+        let diagnostic = Diagnostic::warning(message).at(self.site(span)).hint(hint);
         self.report(span, diagnostic);
     }
 

@@ -14,8 +14,8 @@ use crate::units::Dimension;
 /// What a name stands for.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Named {
-    /// A quantity that was resolved.
-    Quantity(Symbol, Dimension, Varies),
+    /// A quantity that was resolved; the words say what kind it is.
+    Quantity(Symbol, Dimension, Varies, &'static str),
     /// A quantity that is not resolved (yet): what kind it is.
     Pending(&'static str),
     /// A link.
@@ -45,9 +45,7 @@ impl Named {
     /// What kind of thing it is, in words.
     pub(super) fn kind(self) -> &'static str {
         match self {
-            Named::Quantity(_, _, Varies::Params) => "a param or `let`",
-            Named::Quantity(_, _, Varies::Motion) => "a drive or input",
-            Named::Pending(kind) => kind,
+            Named::Quantity(_, _, _, kind) | Named::Pending(kind) => kind,
             Named::Link(_) => "a link",
             Named::Slide(_) => "a slide",
             Named::Point => "a point",
@@ -182,7 +180,7 @@ impl Resolver<'_> {
         let diagnostic = self
             .diagnostic(name.span, format!("`{}` is already {what}", name.text))
             .hint("give one of the two another name: all things in a model share one list of names")
-            .related(self.model.source.site(earlier), "declared here");
+            .related(self.site(earlier), "declared here");
         self.report(name.span, diagnostic);
         Reported
     }
@@ -216,7 +214,7 @@ impl Resolver<'_> {
         let hint = match closest(text, candidates.iter().map(String::as_str)) {
             Some(near) => format!("did you mean `{near}`?"),
             None if candidates.is_empty() || candidates.len() > 12 => otherwise.to_owned(),
-            None => format!("there is {}", crate::syntax::listed(candidates)),
+            None => there_is(candidates),
         };
         if self.partial && !hint.starts_with("did you mean") {
             // It may be declared by an item that could not be read.
@@ -251,17 +249,20 @@ impl Resolver<'_> {
     }
 
     pub(super) fn names_where(&self, wanted: impl Fn(Named) -> bool) -> Vec<String> {
+        if self.full() {
+            return Vec::new();
+        }
         self.names.of_kind(wanted).map(str::to_owned).collect()
     }
 
     /// Name of a body.
     pub(super) fn body_name(&self, body: BodyId) -> &str {
-        if body == GROUND {
-            return "ground";
-        }
-        self.names
-            .of_kind(|named| matches!(named, Named::Link(b) | Named::Slide(b) if b == body))
-            .next()
-            .unwrap_or("?")
+        &self.model.bodies[body].name
     }
+}
+
+/// What there is instead.
+pub(super) fn there_is(names: &[String]) -> String {
+    let verb = if names.len() == 1 { "is" } else { "are" };
+    format!("there {verb} {}", crate::syntax::listed(names))
 }

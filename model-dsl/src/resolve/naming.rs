@@ -59,6 +59,7 @@ impl Resolver<'_> {
             return value;
         }
         let name = self.free_name(letter, owner);
+        self.derived.insert(name.clone());
         let symbol = self.model.graph.symbol(name.as_str(), latex_of(&name));
         self.model.lets.push(Let {
             name,
@@ -73,9 +74,7 @@ impl Resolver<'_> {
 
     /// A name that neither the user nor another quantity has.
     fn free_name(&self, letter: &str, owner: &Owner) -> String {
-        let taken = |name: &str| {
-            self.names.contains(name) || self.model.lets.iter().any(|known| known.name == name)
-        };
+        let taken = |name: &str| self.names.contains(name) || self.derived.contains(name);
         let short = format!("{letter}{}", owner.suffix);
         if !taken(&short) {
             return short;

@@ -51,11 +51,7 @@ impl Resolver<'_> {
     /// The place of that name, made if there is none.
     pub(super) fn place(&mut self, name: &Name) -> Resolved<usize> {
         match self.names.get(&name.text) {
-            Some(Named::Point) => self
-                .places
-                .iter()
-                .position(|place| place.name == name.text)
-                .ok_or(Reported),
+            Some(Named::Point) => self.place_index.get(&name.text).copied().ok_or(Reported),
             Some(other) => {
                 let hint = match other {
                     Named::Link(_) | Named::Slide(_) => {
@@ -78,7 +74,9 @@ impl Resolver<'_> {
                     members: Vec::new(),
                     drawn: None,
                 });
-                Ok(self.places.len() - 1)
+                let index = self.places.len() - 1;
+                self.place_index.insert(name.text.clone(), index);
+                Ok(index)
             }
         }
     }
@@ -122,7 +120,7 @@ impl Resolver<'_> {
             let diagnostic = self
                 .diagnostic(span, message)
                 .hint(hint)
-                .related(self.model.source.site(earlier), "placed here first");
+                .related(self.site(earlier), "placed here first");
             self.report(span, diagnostic);
             return;
         }
@@ -143,6 +141,8 @@ impl Resolver<'_> {
                 floating.push((place.span, place.name.clone()));
                 continue;
             };
+            self.point_index
+                .insert(place.name.clone(), self.model.points.len());
             self.model.points.push(NamedPoint {
                 name: place.name.clone(),
                 body: first.body,
@@ -150,6 +150,8 @@ impl Resolver<'_> {
                 span: place.span,
             });
             if place.members.len() > 1 {
+                self.pin_index
+                    .insert(place.name.clone(), self.model.pins.len());
                 self.model.pins.push(Pin {
                     name: place.name.clone(),
                     members: place.members.iter().map(|m| (m.body, m.at)).collect(),
@@ -169,12 +171,7 @@ impl Resolver<'_> {
 
     /// Position of a named point in the model, with an error for what is none.
     pub(super) fn point(&mut self, name: &Name) -> Resolved<usize> {
-        let position = self
-            .model
-            .points
-            .iter()
-            .position(|point| point.name == name.text);
-        if let Some(position) = position {
+        if let Some(&position) = self.point_index.get(&name.text) {
             return Ok(position);
         }
         match self.names.get(&name.text) {
@@ -193,7 +190,7 @@ impl Resolver<'_> {
 
     /// Where a body has a point, if it has it.
     pub(super) fn on_body(&self, name: &str, body: BodyId) -> Option<Local> {
-        let place = self.places.iter().find(|place| place.name == name)?;
+        let place = &self.places[*self.place_index.get(name)?];
         let member = place.members.iter().find(|member| member.body == body)?;
         Some(member.at)
     }

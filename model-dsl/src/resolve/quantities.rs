@@ -138,14 +138,14 @@ impl Resolver<'_> {
         varies: Varies,
     ) -> Option<Symbol> {
         let name = &declaration.name;
-        if !matches!(self.names.get(&name.text), Some(Named::Pending(_))) {
+        let Some(Named::Pending(kind)) = self.names.get(&name.text) else {
             return None;
-        }
+        };
         let symbol = self
             .model
             .graph
             .symbol(name.text.as_str(), latex_of(&name.text));
-        let named = Named::Quantity(symbol, value.dimension, varies);
+        let named = Named::Quantity(symbol, value.dimension, varies, kind);
         self.names.set(&name.text, named, name.span);
         Some(symbol)
     }
@@ -161,7 +161,7 @@ impl Resolver<'_> {
                 let diagnostic = self
                     .diagnostic(set.name.span, message)
                     .hint("give one of the two another name")
-                    .related(self.model.source.site(earlier), "declared here");
+                    .related(self.site(earlier), "declared here");
                 self.report(set.name.span, diagnostic);
             }
             seen.insert(&set.name.text, set.name.span);

@@ -32,7 +32,7 @@ impl Resolver<'_> {
                         let diagnostic = self
                             .diagnostic(item.span, "the start is given twice")
                             .hint("remove one of the two")
-                            .related(self.model.source.site(earlier), "given here first");
+                            .related(self.site(earlier), "given here first");
                         self.report(item.span, diagnostic);
                     } else {
                         let _ = self.start(value);
@@ -47,7 +47,7 @@ impl Resolver<'_> {
                                 let diagnostic = self
                                     .diagnostic(name.span, message)
                                     .hint("give one of the two another name")
-                                    .related(self.model.source.site(earlier), "declared here");
+                                    .related(self.site(earlier), "declared here");
                                 self.report(name.span, diagnostic);
                             }
                             None => {

@@ -133,7 +133,7 @@ impl Resolver<'_> {
                 if self.failed() {
                     return Err(Reported);
                 }
-                let message = format!("`{}` has no place on ground", name.text);
+                let message = format!("`{}` ends on ground, but where?", name.text);
                 let hint = "name a point of ground, declared with `ground NAME = (X, Y)`, or a \
                             direction with `along (X, Y)`";
                 return Err(self.error(end.span, message, hint));

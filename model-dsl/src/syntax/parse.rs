@@ -129,6 +129,9 @@ pub(super) const KEYWORDS: [&str; ITEMS.len()] = {
 /// Largest file that is read, in bytes.
 const LARGEST_FILE: usize = 4 << 20;
 
+/// Longest item that is read, in bytes.
+const LONGEST_ITEM: usize = 256 << 10;
+
 /// Longest row of operators in one expression.
 const LONGEST_CHAIN: usize = 1000;
 
@@ -161,6 +164,7 @@ pub fn parse(text: &str) -> (File, Vec<Problem>) {
         }
     }
     problems.sort_by_key(|problem| problem.span);
+    problems.truncate(MOST_PROBLEMS);
     (file, problems)
 }
 
@@ -186,6 +190,13 @@ fn item(text: &str, span: Span) -> Parsed<Item> {
             rule = Rule::declarations;
             form = "point NAME = (X, Y)";
         }
+    }
+    if text.len() > LONGEST_ITEM {
+        return Err(Box::new(Problem::new(
+            format!("this item is longer than {} KiB", LONGEST_ITEM >> 10),
+            word_span,
+            "tables of data belong in a CSV file",
+        )));
     }
     let pair = Grammar::parse(rule, text)
         .map_err(|error| Box::new(explain(error, text, span.start, keyword, form)))?
@@ -247,7 +258,13 @@ fn explain(
         .len()
         .max(text[start..].chars().next().map_or(0, char::len_utf8));
     let span = Span::new(base + start, base + end.max(start + width));
-    let found = match text[start..].chars().next() {
+    let next = text[start..].chars().next();
+    let after_digit = text[..start].ends_with(|c: char| c.is_ascii_digit());
+    if next == Some('.') && after_digit {
+        let message = "a decimal point needs a digit after it";
+        return Problem::new(message, span, "write `3` or `3.0`");
+    }
+    let found = match next {
         None | Some('\n') => "the end of the line".to_owned(),
         Some(c) if found.is_empty() => format!("`{c}`"),
         Some(_) => format!("`{found}`"),
@@ -261,6 +278,17 @@ fn explain(
     };
     expected.sort_unstable();
     expected.dedup();
+    let after_value = expected.contains(&"an operator");
+    if after_value && next.is_some_and(|c| c.is_alphanumeric() || "_\"({°%".contains(c)) {
+        return Problem::new(
+            format!("something is missing before {found}"),
+            span,
+            format!("two values need an operator or a comma between them: `{form}`"),
+        );
+    }
+    if expected.len() > 1 {
+        expected.retain(|words| *words != "words in quotation marks");
+    }
     let message = match expected.as_slice() {
         [] => format!("this `{keyword}` cannot be read from {found} on"),
         [one] => format!("{one} is expected here, not {found}"),

@@ -111,7 +111,8 @@ impl Unit {
                 break;
             }
             divide = rest[end..].starts_with('/');
-            rest = rest[end..].trim_start_matches(['*', '/', '·']);
+            let sign = rest[end..].chars().next().map_or(0, char::len_utf8);
+            rest = &rest[end + sign..];
         }
         if unit.dimension.same_units(Dimension::RATE) {
             if angle {

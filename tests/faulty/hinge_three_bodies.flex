@@ -1,0 +1,7 @@
+// A hinge where three bodies meet.
+model faulty
+ground O = (0 mm, 0 mm)
+link crank from O to B { length = 20 mm, angle = 30 deg, mass = 1 g }
+link rod from B to C { length = 20 mm, angle = 30 deg, mass = 1 g }
+link arm from B to D { length = 20 mm, angle = 30 deg, mass = 1 g }
+hinge at B { stiffness = 3 N*m/rad }

@@ -1,0 +1,6 @@
+// A hinge between bodies that do not meet there.
+model faulty
+ground O = (0 mm, 0 mm)
+link crank from O to B { length = 20 mm, angle = 30 deg, mass = 1 g }
+link rod from B to C { length = 20 mm, angle = 30 deg, mass = 1 g }
+hinge at O between ground, rod { stiffness = 3 N*m/rad }

@@ -1,0 +1,6 @@
+// Numbers that cannot be negative.
+model faulty
+ground O = (0 mm, 0 mm)
+link crank from O to B { length = -20 mm, angle = 30 deg, mass = 1 g }
+link rod from B to C { length = 20 mm, angle = 30 deg, mass = -1 g, section = rect(0 mm, 3 mm) }
+hinge at B { stiffness = -3 N*m/rad }

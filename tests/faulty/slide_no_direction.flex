@@ -1,0 +1,3 @@
+// A slide without a direction.
+model faulty
+slide stage { mass = 50 g }

@@ -1,0 +1,3 @@
+// The file does not say what it models.
+param a = 3 mm
+output d = a

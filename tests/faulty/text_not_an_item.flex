@@ -1,0 +1,3 @@
+// A line that starts with a number.
+model faulty
+3 mm

@@ -1,0 +1,4 @@
+// A bracket that closes nothing.
+model faulty
+param a = 3 mm }
+output c = a

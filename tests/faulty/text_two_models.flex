@@ -1,0 +1,3 @@
+// Two models in a file.
+model faulty
+model second

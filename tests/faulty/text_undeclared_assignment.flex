@@ -1,0 +1,3 @@
+// A quantity without `param`.
+model faulty
+stiffness = 3 N/m

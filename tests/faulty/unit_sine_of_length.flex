@@ -1,0 +1,4 @@
+// A sine of a length.
+model faulty
+param a = 3 mm
+output y = sin(a)

@@ -1,0 +1,4 @@
+// Words where a value is wanted.
+model faulty
+param a = "three"
+output y = a
