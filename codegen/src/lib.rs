@@ -15,13 +15,19 @@
 mod assemble;
 mod directions;
 mod jacobian;
+mod listing;
 mod lower;
+mod names;
 mod program;
+pub mod report;
+mod rust;
 mod schedule;
 mod tape;
 mod values;
 
 pub use assemble::{program, unit};
+pub use listing::listing;
 pub use program::{Check, Event, Function, Message, Name, Program, Set, Solve, Symbols};
+pub use rust::{Texts, module_name, rust, rust_source, skeleton};
 pub use tape::tape;
 pub use values::{Node, Stage, Value, Values};

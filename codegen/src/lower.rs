@@ -71,7 +71,7 @@ pub(crate) struct Lowering<'c, 'g> {
 }
 
 /// A sum or product on the way: the value so far, and whether it counts negatively.
-type Signed1 = Option<(Value, bool)>;
+type Total = Option<(Value, bool)>;
 
 impl<'c, 'g> Lowering<'c, 'g> {
     /// A lowering with one binding for each symbol of the graph.
@@ -229,7 +229,7 @@ impl<'c, 'g> Lowering<'c, 'g> {
             };
             parts.push(part);
         }
-        let mut total: Signed1 = None;
+        let mut total: Total = None;
         for stages in [
             &[Stage::Constant, Stage::Parameter][..],
             &[Stage::Configuration],
@@ -277,10 +277,25 @@ impl<'c, 'g> Lowering<'c, 'g> {
     ) -> (Value, bool) {
         let mut above: Vec<Value> = Vec::new();
         let mut below: Vec<Value> = Vec::new();
+        let mut negative = coefficient.is_negative();
+        let mut size = to_f64(&coefficient.abs());
         for (base, exponent) in factors {
-            let value = self.memo[base];
+            let mut value = self.memo[base];
+            if let crate::values::Node::Apply(Operation::Negate, [inner, ..]) = values.node(value)
+                && exponent.is_integer()
+            {
+                value = inner;
+                negative ^= is_odd(exponent);
+            }
             let power = power(values, value, &exponent.abs());
-            if !exponent.is_negative() {
+            if let Some(number) = values.as_constant(power) {
+                negative ^= number.is_sign_negative();
+                size = if exponent.is_negative() {
+                    size / number.abs()
+                } else {
+                    size * number.abs()
+                };
+            } else if !exponent.is_negative() {
                 above.push(power);
             } else if values.stage(power) >= Stage::Configuration
                 && self.context.shared_divisors.contains(base)
@@ -291,8 +306,7 @@ impl<'c, 'g> Lowering<'c, 'g> {
                 below.push(power);
             }
         }
-        let (size, negative) = (coefficient.abs(), coefficient.is_negative());
-        let mut total: Option<Value> = (!size.is_one()).then(|| values.constant(to_f64(&size)));
+        let mut total: Option<Value> = (size != 1.0).then(|| values.constant(size));
         for stages in [
             &[Stage::Constant, Stage::Parameter][..],
             &[Stage::Configuration],
@@ -320,6 +334,10 @@ impl<'c, 'g> Lowering<'c, 'g> {
         }
         (total.unwrap_or_else(|| values.constant(1.0)), negative)
     }
+}
+
+fn is_odd(exponent: &Rational) -> bool {
+    exponent.numer().bit(0)
 }
 
 /// Whole powers beyond this go to the library.

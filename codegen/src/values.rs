@@ -147,9 +147,14 @@ impl Values {
             return simple;
         }
         let operands = match operation {
-            // One order for what commutes, so that a·b and b·a are shared.
-            Operation::Add | Operation::Multiply if self.sorts_before(operands[1], operands[0]) => {
-                [operands[1], operands[0], operands[1]]
+            // a + b and b + a are shared, as whichever of them was made first.
+            Operation::Add | Operation::Multiply => {
+                let turned = [operands[1], operands[0], operands[1]];
+                if self.index.contains_key(&Node::Apply(operation, turned)) {
+                    turned
+                } else {
+                    [operands[0], operands[1], operands[0]]
+                }
             }
             _ => operands,
         };
@@ -171,11 +176,6 @@ impl Values {
             stage.max(Stage::Parameter),
             level,
         )
-    }
-
-    /// Earlier stages first, then the order of making: how a person writes a product.
-    fn sorts_before(&self, a: Value, b: Value) -> bool {
-        (self.stage(a), a) < (self.stage(b), b)
     }
 
     fn simplified(&mut self, operation: Operation, operands: [Value; 3]) -> Option<Value> {

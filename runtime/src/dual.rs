@@ -84,9 +84,40 @@ impl Div for Dual {
     }
 }
 
+impl Add<f64> for Dual {
+    type Output = Self;
+    fn add(self, other: f64) -> Self {
+        self + Self::from_f64(other)
+    }
+}
+
+impl Sub<f64> for Dual {
+    type Output = Self;
+    fn sub(self, other: f64) -> Self {
+        self - Self::from_f64(other)
+    }
+}
+
+impl Mul<f64> for Dual {
+    type Output = Self;
+    fn mul(self, other: f64) -> Self {
+        self * Self::from_f64(other)
+    }
+}
+
+impl Div<f64> for Dual {
+    type Output = Self;
+    fn div(self, other: f64) -> Self {
+        self / Self::from_f64(other)
+    }
+}
+
 impl Real for Dual {
     fn from_f64(value: f64) -> Self {
         Self { value, rate: 0.0 }
+    }
+    fn recip(self) -> Self {
+        Self::from_f64(1.0) / self
     }
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
@@ -143,14 +174,14 @@ impl Real for Dual {
             rate: (x.value * self.rate - self.value * x.rate) / norm,
         }
     }
-    fn min(self, other: Self) -> Self {
+    fn smaller(self, other: Self) -> Self {
         if self.value < other.value {
             self
         } else {
             other
         }
     }
-    fn max(self, other: Self) -> Self {
+    fn larger(self, other: Self) -> Self {
         if self.value > other.value {
             self
         } else {

@@ -5,6 +5,7 @@ pub mod diagnostic;
 pub mod newton;
 pub mod dual;
 pub mod failure;
+pub mod generated;
 pub mod real;
 pub mod simulate;
 pub mod system;

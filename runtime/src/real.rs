@@ -1,7 +1,7 @@
 //! The number type of generated right-hand sides: [`f64`], and whatever computes like it.
 //!
 //! Generated code is generic over [`Real`], so that one text serves plain numbers, dual numbers
-//! ([`Dual`](crate::dual::Dual)) and, later, lanes. Nothing here branches on a value: choices are made by
+//! ([`Dual`](crate::dual::Dual)) and lanes. Nothing here branches on a value: choices are made by
 //! [`Real::if_positive`], which a lane can make for each of its entries.
 
 use std::fmt::Debug;
@@ -19,9 +19,15 @@ pub trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
 {
     /// The number as a constant.
     fn from_f64(value: f64) -> Self;
+    /// One divided by this.
+    fn recip(self) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Sine of an angle in rad.
@@ -53,9 +59,9 @@ pub trait Real:
     /// Direction in rad of the vector (`x`, `self`).
     fn atan2(self, x: Self) -> Self;
     /// The smaller one; `other` if either is not a number.
-    fn min(self, other: Self) -> Self;
+    fn smaller(self, other: Self) -> Self;
     /// The larger one; `other` if either is not a number.
-    fn max(self, other: Self) -> Self;
+    fn larger(self, other: Self) -> Self;
     /// This to the power `exponent`.
     fn power(self, exponent: Self) -> Self;
     /// This angle in rad, moved by whole turns to within half a turn of `reference`.
@@ -70,6 +76,10 @@ impl Real for f64 {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
+    }
+    #[inline(always)]
+    fn recip(self) -> Self {
+        1.0 / self
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -138,11 +148,11 @@ impl Real for f64 {
         f64::atan2(self, x)
     }
     #[inline(always)]
-    fn min(self, other: Self) -> Self {
+    fn smaller(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
     #[inline(always)]
-    fn max(self, other: Self) -> Self {
+    fn larger(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
     #[inline(always)]

@@ -1,0 +1,357 @@
+//! Bodies of functions: a `let` for what is shared or named, everything else nested.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use flexure_runtime::tape::Operation;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expression::{Piece, apply, ident, unsuffixed};
+use crate::names::{Described, Namer};
+use crate::program::Program;
+use crate::values::{Node, Stage, Value};
+
+/// Expressions longer than this get a name.
+const LINE: usize = 64;
+
+/// Names that generated functions use themselves, or that would be patterns instead of names.
+pub(super) const RESERVED: [&str; 34] = [
+    "t",
+    "x",
+    "d",
+    "u",
+    "p",
+    "dx",
+    "T",
+    "result",
+    "index",
+    "Some",
+    "None",
+    "Ok",
+    "Err",
+    "Params",
+    "Prepared",
+    "VARIABLES",
+    "EQUATIONS",
+    "EQUATIONS_LATEX",
+    "FAILURES",
+    "TURNING",
+    "Self",
+    "Real",
+    "System",
+    "Variable",
+    "Energy",
+    "EventAction",
+    "Causality",
+    "Diagnostic",
+    "Failure",
+    "Site",
+    "Unit",
+    "Cow",
+    "Box",
+    "f64",
+];
+
+/// What is the same for all functions of a program.
+pub(super) struct Writer<'p> {
+    pub(super) program: &'p Program,
+    pub(super) described: Described,
+    /// Fields of `Prepared`.
+    pub(super) fields: HashMap<Value, String>,
+    /// Fields of `Params`.
+    pub(super) params: Vec<String>,
+    /// Whether comments are written, as attributes that the printer knows.
+    pub(super) comments: bool,
+}
+
+/// A function's statements so far.
+pub(super) struct Body<'w, 'p> {
+    writer: &'w Writer<'p>,
+    /// Type of numbers: `T`, or `f64` in `prepare`.
+    number: TokenStream,
+    is_prepare: bool,
+    namer: Namer,
+    pieces: HashMap<Value, Piece>,
+    stage: Option<Stage>,
+    /// Names for given quantities, by what is read.
+    loads: BTreeMap<(u8, u32), TokenStream>,
+    /// Number of names without a meaning so far.
+    nameless: usize,
+    statements: Vec<TokenStream>,
+}
+
+impl<'w, 'p> Body<'w, 'p> {
+    /// An empty body of a function of prepared values, generic over `T`.
+    pub(super) fn generic(writer: &'w Writer<'p>) -> Self {
+        Self::new(writer, false)
+    }
+
+    /// An empty body of `prepare`, in plain numbers.
+    pub(super) fn prepare(writer: &'w Writer<'p>) -> Self {
+        Self::new(writer, true)
+    }
+
+    fn new(writer: &'w Writer<'p>, is_prepare: bool) -> Self {
+        let tables = (0..writer.program.tables.len()).map(table_name);
+        let mut namer = Namer::without(&RESERVED);
+        for table in tables {
+            namer.name(&table);
+        }
+        Self {
+            writer,
+            number: if is_prepare { quote!(f64) } else { quote!(T) },
+            is_prepare,
+            namer,
+            pieces: HashMap::new(),
+            stage: None,
+            loads: BTreeMap::new(),
+            nameless: 0,
+            statements: Vec::new(),
+        }
+    }
+
+    /// The statements: given quantities first.
+    pub(super) fn finish(self) -> Vec<TokenStream> {
+        self.loads.into_values().chain(self.statements).collect()
+    }
+
+    /// Statements that `write` adds, for a block of their own; what they name is unknown after it.
+    pub(super) fn block(&mut self, write: impl FnOnce(&mut Self)) -> Vec<TokenStream> {
+        let outside = std::mem::take(&mut self.statements);
+        let known: HashSet<Value> = self.pieces.keys().copied().collect();
+        write(self);
+        let values = &self.writer.program.values;
+        // What is given stays loaded: loads stand outside of all blocks.
+        self.pieces
+            .retain(|value, _| known.contains(value) || !values.is_computed(*value));
+        std::mem::replace(&mut self.statements, outside)
+    }
+
+    /// Adds a statement.
+    pub(super) fn push(&mut self, statement: TokenStream) {
+        self.statements.push(statement);
+    }
+
+    /// Gives a value that is computed elsewhere a name, without a statement.
+    pub(super) fn name(&mut self, value: Value, wanted: &str) -> String {
+        let name = self.namer.name(wanted);
+        let name_ident = ident(&name);
+        self.pieces.insert(value, Piece::atom(quote!(#name_ident)));
+        name
+    }
+
+    /// Writes `order`, whose values are used as often as they occur among each other's operands
+    /// and in `roots`.
+    pub(super) fn compute(&mut self, order: &[Value], roots: &[Value]) {
+        let values = &self.writer.program.values;
+        let mut uses: HashMap<Value, usize> = HashMap::new();
+        for value in order
+            .iter()
+            .flat_map(|value| values.operands(*value))
+            .chain(roots.iter().copied())
+        {
+            *uses.entry(value).or_insert(0) += 1;
+        }
+        let angles = self.shared_angles(order);
+        for &value in order {
+            if self.pieces.contains_key(&value) {
+                continue;
+            }
+            self.load_operands(value);
+            let (operation, operands) = match values.node(value) {
+                Node::Apply(operation, operands) => (operation, operands),
+                Node::Lookup(_, position) => (Operation::Lookup, [position; 3]),
+                _ => continue,
+            };
+            if matches!(operation, Operation::Sin | Operation::Cos) && angles.contains(&operands[0])
+            {
+                self.sine_and_cosine(order, operands[0], value);
+                continue;
+            }
+            let piece = self.expression(value, operation, operands);
+            let is_named = self.writer.program.names.contains_key(&value);
+            let is_shared = uses.get(&value).is_some_and(|count| *count > 1);
+            let is_trivial = operation == Operation::Negate && piece.length <= 20;
+            if is_named || (is_shared && !is_trivial) || piece.length > LINE {
+                self.bind(value, &piece.tokens);
+            } else {
+                self.pieces.insert(value, piece);
+            }
+        }
+        for &root in roots {
+            self.load(root);
+        }
+    }
+
+    /// The expression for a value that was computed or loaded.
+    pub(super) fn piece(&self, value: Value) -> Piece {
+        self.pieces
+            .get(&value)
+            .cloned()
+            .unwrap_or_else(|| self.writer.given(value))
+    }
+
+    /// The same, as a number of the body's type wherever it stands.
+    pub(super) fn number_tokens(&self, value: Value) -> TokenStream {
+        let piece = self.piece(value);
+        let tokens = &piece.tokens;
+        let number = &self.number;
+        match piece.constant {
+            Some(_) if !self.is_prepare => quote!(#number::from_f64(#tokens)),
+            _ => quote!(#tokens),
+        }
+    }
+
+    fn expression(&self, value: Value, operation: Operation, operands: [Value; 3]) -> Piece {
+        let [a, b, c] = operands.map(|operand| self.piece(operand));
+        let b = match self.writer.program.values.node(value) {
+            Node::Lookup(table, _) => {
+                let table = ident(&table_name(table as usize));
+                Piece::atom(quote!(&#table))
+            }
+            _ => b,
+        };
+        apply(&self.number, operation, &a, &b, &c)
+    }
+
+    /// Angles of which both sine and cosine are computed.
+    fn shared_angles(&self, order: &[Value]) -> HashSet<Value> {
+        let values = &self.writer.program.values;
+        let mut of = [HashSet::new(), HashSet::new()];
+        for value in order {
+            match values.node(*value) {
+                Node::Apply(Operation::Sin, [angle, ..]) => of[0].insert(angle),
+                Node::Apply(Operation::Cos, [angle, ..]) => of[1].insert(angle),
+                _ => continue,
+            };
+        }
+        of[0].intersection(&of[1]).copied().collect()
+    }
+
+    fn sine_and_cosine(&mut self, order: &[Value], angle: Value, first: Value) {
+        let values = &self.writer.program.values;
+        let mut names = [None, None];
+        for &value in order {
+            if let Node::Apply(operation @ (Operation::Sin | Operation::Cos), [of, ..]) =
+                values.node(value)
+                && of == angle
+            {
+                let name = self.wanted_name(value);
+                names[usize::from(operation == Operation::Cos)] = Some(self.name(value, &name));
+            }
+        }
+        if let [Some(sin), Some(cos)] = names {
+            let (sin, cos) = (ident(&sin), ident(&cos));
+            let piece = self.piece(angle);
+            let of = apply(&self.number, Operation::Sin, &piece, &piece, &piece).tokens;
+            // `angle.sin()` with another method's name: the receiver is the same.
+            let of = replace_method(of, "sin_cos");
+            let comment = self.stage_comment(first);
+            self.statements
+                .push(quote!(#comment let (#sin, #cos) = #of;));
+        }
+    }
+
+    fn bind(&mut self, value: Value, tokens: &TokenStream) {
+        let wanted = self.wanted_name(value);
+        let stage = self.stage_comment(value);
+        let name = ident(&self.name(value, &wanted));
+        let comment = self
+            .writer
+            .program
+            .names
+            .get(&value)
+            .filter(|name| self.writer.comments && !name.meaning.is_empty())
+            .map(|name| {
+                let text = format!(" {}", name.meaning.replace('\n', " "));
+                quote!(#[comment = #text])
+            });
+        self.statements
+            .push(quote!(#stage #comment let #name = #tokens;));
+    }
+
+    fn wanted_name(&mut self, value: Value) -> String {
+        match self.writer.described.name(value) {
+            Some(name) => name.to_owned(),
+            None => {
+                self.nameless += 1;
+                format!("t{}", self.nameless)
+            }
+        }
+    }
+
+    /// Says which stage begins, where it does.
+    fn stage_comment(&mut self, value: Value) -> Option<TokenStream> {
+        let stage = self.writer.program.values.stage(value);
+        if !self.writer.comments || self.stage == Some(stage) {
+            return None;
+        }
+        self.stage = Some(stage);
+        let text = match stage {
+            Stage::Configuration => " ── configuration ──",
+            Stage::State => " ── state ──",
+            Stage::Constant | Stage::Parameter => return None,
+        };
+        Some(quote!(#[comment = #text]))
+    }
+
+    fn load_operands(&mut self, value: Value) {
+        let operands: Vec<Value> = self.writer.program.values.operands(value).collect();
+        for operand in operands {
+            self.load(operand);
+        }
+    }
+
+    /// Names a given quantity on its first use: `let φ1 = x[0];`.
+    fn load(&mut self, value: Value) {
+        if self.pieces.contains_key(&value) {
+            return;
+        }
+        let from = |array: &str, index: u32| {
+            let array = ident(array);
+            let index = unsuffixed(index as usize);
+            quote!(#array[#index])
+        };
+        let (key, tokens) = match self.writer.program.values.node(value) {
+            Node::State(index) => ((0, index), from("x", index)),
+            Node::Discrete(index) => ((1, index), from("d", index)),
+            Node::Input(index) => ((2, index), from("u", index)),
+            Node::Param(index) if self.is_prepare => {
+                let field = ident(&self.writer.params[index as usize]);
+                ((3, index), quote!(self.#field))
+            }
+            _ => return,
+        };
+        let wanted = self.wanted_name(value);
+        let name = ident(&self.name(value, &wanted));
+        self.loads.insert(key, quote!(let #name = #tokens;));
+    }
+}
+
+impl Writer<'_> {
+    /// The expression of what no statement computes.
+    fn given(&self, value: Value) -> Piece {
+        if let Some(field) = self.fields.get(&value) {
+            let field = ident(field);
+            return Piece::atom(quote!(p.#field));
+        }
+        match self.program.values.node(value) {
+            Node::Constant(bits) => Piece::constant(f64::from_bits(bits)),
+            Node::Time => Piece::atom(quote!(t)),
+            _ => Piece::constant(f64::NAN),
+        }
+    }
+}
+
+/// Name of the static that holds a table.
+pub(super) fn table_name(index: usize) -> String {
+    format!("TABLE_{}", index + 1)
+}
+
+fn replace_method(tokens: TokenStream, name: &str) -> TokenStream {
+    let mut trees: Vec<proc_macro2::TokenTree> = tokens.into_iter().collect();
+    if let Some(position) = trees.len().checked_sub(2) {
+        trees[position] = ident(name).into();
+    }
+    trees.into_iter().collect()
+}

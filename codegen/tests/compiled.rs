@@ -1,0 +1,110 @@
+//! The golden modules compile without a warning and compute what the oracle computes; their
+//! Jacobians are those of dual numbers.
+
+#![deny(warnings)]
+#![forbid(unsafe_code)]
+#![allow(mixed_script_confusables, uncommon_codepoints, confusable_idents)]
+
+mod support;
+
+use flexure_model_dsl::equations::Equations;
+use flexure_runtime::dual::Dual;
+use flexure_runtime::real::Real;
+use flexure_runtime::system::System;
+use support::agreement::{Place, compare, places};
+
+/// Compares the Jacobian with one dual evaluation of the right-hand side for each state.
+fn compare_jacobian(name: &str, system: &dyn System, rhs: &dyn Fn(&Place, usize) -> Vec<Dual>) {
+    let count = system.states().len();
+    let mut compared = 0;
+    for place in places(system, 100, 11) {
+        let mut jacobian = vec![f64::NAN; count * count];
+        system.jacobian(place.t, &place.x, &place.d, &place.u, &mut jacobian);
+        for column in 0..count {
+            let rates = rhs(&place, column);
+            // A rate is a sum of terms; where they cancel, the largest entry of its row gives the scale.
+            for (row, rate) in rates.iter().enumerate() {
+                if !rate.value.is_finite() {
+                    continue;
+                }
+                let entry = jacobian[row * count + column];
+                let scale = rate.rate.abs().max(entry.abs());
+                let error = (entry - rate.rate).abs();
+                assert!(
+                    error <= 1e-8 * scale,
+                    "{name}: entry ({row}, {column}) is {entry:e}, by dual numbers {:e}",
+                    rate.rate
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{name}: {compared} entries of the Jacobian compared");
+    assert!(compared > 0);
+}
+
+fn equations(name: &str) -> Equations {
+    support::models::all()
+        .into_iter()
+        .chain([support::handmade::slider_crank()])
+        .find(|equations| equations.name == name)
+        .expect("a model of that name")
+}
+
+macro_rules! golden {
+    ($($test:ident: $name:ident in $file:ident at $path:literal,)*) => {
+        $(
+            #[path = $path]
+            mod $file;
+
+            #[test]
+            fn $test() {
+                use $file::$name::{Params, Prepared, VARIABLES, rhs};
+                let params = Params::default();
+                let prepared = match params.prepare() {
+                    Ok(prepared) => prepared,
+                    Err(diagnostic) => panic!("{diagnostic}"),
+                };
+                let name = stringify!($name);
+                assert!(VARIABLES.len() >= prepared.states().len());
+                compare(&equations(name), &params.values(), &prepared, 200);
+                let dual: Prepared<Dual> = prepared.map(Dual::from_f64);
+                compare_jacobian(name, &prepared, &|place, column| {
+                    let constant = |list: &[f64]| -> Vec<Dual> {
+                        list.iter().copied().map(Dual::from_f64).collect()
+                    };
+                    let mut x = constant(&place.x);
+                    x[column].rate = 1.0;
+                    let mut result = vec![Dual::default(); x.len()];
+                    rhs(
+                        Dual::from_f64(place.t),
+                        x.as_slice().try_into().expect("states"),
+                        constant(&place.d).as_slice().try_into().expect("discrete states"),
+                        constant(&place.u).as_slice().try_into().expect("inputs"),
+                        &dual,
+                        result.as_mut_slice().try_into().expect("rates"),
+                    );
+                    result
+                });
+            }
+        )*
+
+        #[test]
+        fn every_model_is_here() {
+            let mut names: Vec<String> =
+                support::models::all().into_iter().map(|e| e.name).collect();
+            names.push("slider_crank".to_owned());
+            names.sort();
+            assert_eq!([$(stringify!($name)),*].as_slice(), names.as_slice());
+        }
+    };
+}
+
+golden! {
+    double_rocker: double_rocker in double_rocker_golden at "golden/double_rocker.rs",
+    four_bar: four_bar in four_bar_golden at "golden/four_bar.rs",
+    lugre_mass: lugre_mass in lugre_mass_golden at "golden/lugre_mass.rs",
+    msdm: msdm in msdm_golden at "golden/msdm.rs",
+    pendulum: pendulum in pendulum_golden at "golden/pendulum.rs",
+    slider_crank: slider_crank in slider_crank_golden at "golden/slider_crank.rs",
+}

@@ -1,0 +1,2869 @@
+/// Simulator of the model `double_rocker`, generated from its equations of motion.
+///
+/// Double-rocker flexure stick–slip actuator.
+/// A piezo stack pushes a four-bar of flexure hinges at \`A\`. The coupler's tip \`C\` presses on a
+/// slider and carries it along by friction: slowly forward, sticking; quickly back, slipping.
+/// Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen \& Nguyen, Machines 2025, 13, 787.
+#[allow(
+    non_snake_case,
+    non_upper_case_globals,
+    unused,
+    clippy::all,
+    clippy::pedantic,
+    rustdoc::all
+)]
+pub mod double_rocker {
+    use std::borrow::Cow;
+    use ::flexure_runtime::checks::{check_params, check_start};
+    use ::flexure_runtime::diagnostic::{Diagnostic, Site};
+    use ::flexure_runtime::failure::{Failure, Unit};
+    use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::newton;
+    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    /// What may be set: all in SI units, angles in rad.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Params {
+        /// elastic modulus in Pa; 7.2e10 by default
+        pub E: f64,
+        /// width, out of plane in m; 0.003 by default
+        pub b: f64,
+        /// link height in m; 0.003 by default
+        pub h: f64,
+        /// hinge web thickness in m; 0.0015 by default
+        pub e: f64,
+        /// hinge radius in m; 0.001 by default
+        pub r: f64,
+        /// length of a link in m; 0.0102 by default
+        pub l1: f64,
+        /// length of a link in m; 0.0232 by default
+        pub l2: f64,
+        /// length of a link in m; 0.01 by default
+        pub l3: f64,
+        /// length of a link in m; 0.025 by default
+        pub l4: f64,
+        /// mass of a link in kg; 0.0002568 by default
+        pub m1: f64,
+        /// mass of a link in kg; 0.0005877 by default
+        pub m2: f64,
+        /// mass of a link in kg; 0.0002529 by default
+        pub m3: f64,
+        /// direction of a centre of mass off its link's line; 0.0 by default
+        pub beta1: f64,
+        /// direction of a centre of mass off its link's line; 0.0 by default
+        pub beta2: f64,
+        /// direction of a centre of mass off its link's line; 0.0 by default
+        pub beta3: f64,
+        /// mass of the stack in kg; 0.015 by default
+        pub mp: f64,
+        /// stiffness of the stack in N/m; 3.6e6 by default
+        pub kp: f64,
+        /// damping of the stack in N\*s/m; 0.294 by default
+        pub cp: f64,
+        /// stiffness of the joint between stack and crank in N/m; 3e7 by default
+        pub ku: f64,
+        /// A from O1 in m; 0.0051 by default
+        pub la: f64,
+        /// drive frequency in 1/s; 1e3 by default
+        pub f: f64,
+        /// drive stroke in m; 2e-5 by default
+        pub stroke: f64,
+        /// share of the period in which the stack extends; 0.95 by default
+        pub rise: f64,
+        /// C from B in m; 0.005 by default
+        pub ln: f64,
+        /// mass of the slider in kg; 0.05 by default
+        pub ms: f64,
+        /// preload in N; 20.0 by default
+        pub Fp: f64,
+        /// bristle stiffness in N/m; 5e6 by default
+        pub sigma0: f64,
+        /// bristle damping in N\*s/m; 5.0 by default
+        pub sigma1: f64,
+        /// viscous friction in N\*s/m; 0.5 by default
+        pub sigma2: f64,
+        /// coefficient of static friction; 0.3 by default
+        pub mu_s: f64,
+        /// coefficient of sliding friction; 0.2 by default
+        pub mu_c: f64,
+        /// Stribeck velocity in m/s; 0.001 by default
+        pub v_s: f64,
+    }
+    impl Default for Params {
+        fn default() -> Self {
+            Self {
+                E: 7.2e10,
+                b: 0.003,
+                h: 0.003,
+                e: 0.0015,
+                r: 0.001,
+                l1: 0.0102,
+                l2: 0.0232,
+                l3: 0.01,
+                l4: 0.025,
+                m1: 0.0002568,
+                m2: 0.0005877,
+                m3: 0.0002529,
+                beta1: 0.0,
+                beta2: 0.0,
+                beta3: 0.0,
+                mp: 0.015,
+                kp: 3.6e6,
+                cp: 0.294,
+                ku: 3e7,
+                la: 0.0051,
+                f: 1e3,
+                stroke: 2e-5,
+                rise: 0.95,
+                ln: 0.005,
+                ms: 0.05,
+                Fp: 20.0,
+                sigma0: 5e6,
+                sigma1: 5.0,
+                sigma2: 0.5,
+                mu_s: 0.3,
+                mu_c: 0.2,
+                v_s: 0.001,
+            }
+        }
+    }
+    impl Params {
+        /// The set `table2`: its values, all others by default. tables 2 and 3 of the article
+        pub fn table2() -> Self {
+            Self {
+                sigma0: 2e6,
+                mu_s: 0.15,
+                mu_c: 0.1,
+                ku: 3e6,
+                ms: 0.1,
+                ln: 0.0,
+                ..Self::default()
+            }
+        }
+        /// The values in the order of [`VARIABLES`].
+        pub fn values(&self) -> [f64; 32] {
+            [
+                self.E,
+                self.b,
+                self.h,
+                self.e,
+                self.r,
+                self.l1,
+                self.l2,
+                self.l3,
+                self.l4,
+                self.m1,
+                self.m2,
+                self.m3,
+                self.beta1,
+                self.beta2,
+                self.beta3,
+                self.mp,
+                self.kp,
+                self.cp,
+                self.ku,
+                self.la,
+                self.f,
+                self.stroke,
+                self.rise,
+                self.ln,
+                self.ms,
+                self.Fp,
+                self.sigma0,
+                self.sigma1,
+                self.sigma2,
+                self.mu_s,
+                self.mu_c,
+                self.v_s,
+            ]
+        }
+        /// Closes the loops and computes everything that depends on params alone.
+        ///
+        /// # Errors
+        /// What is wrong with the parameter set, in the words of `flexure check`.
+        pub fn prepare(&self) -> Result<Prepared<f64>, Diagnostic> {
+            check_params(PARAMS, &self.values())?;
+            let E = self.E;
+            let b = self.b;
+            let h = self.h;
+            let e = self.e;
+            let r = self.r;
+            let l1 = self.l1;
+            let l2 = self.l2;
+            let l3 = self.l3;
+            let l4 = self.l4;
+            let m1 = self.m1;
+            let m2 = self.m2;
+            let m3 = self.m3;
+            let beta1 = self.beta1;
+            let beta2 = self.beta2;
+            let beta3 = self.beta3;
+            let mp = self.mp;
+            let kp = self.kp;
+            let cp = self.cp;
+            let ku = self.ku;
+            let la = self.la;
+            let f = self.f;
+            let stroke = self.stroke;
+            let rise = self.rise;
+            let ln = self.ln;
+            let ms = self.ms;
+            let Fp = self.Fp;
+            let sigma0 = self.sigma0;
+            let sigma1 = self.sigma1;
+            let sigma2 = self.sigma2;
+            let mu_s = self.mu_s;
+            let mu_c = self.mu_c;
+            let v_s = self.v_s;
+            let l1_squared = l1 * l1;
+            let h_squared = h * h;
+            // moment of inertia about the centre of mass of crank
+            let I1 = m1 * (l1_squared + h_squared) * 0.08333333333333333;
+            let l2_squared = l2 * l2;
+            // moment of inertia about the centre of mass of coupler
+            let I2 = m2 * (h_squared + l2_squared) * 0.08333333333333333;
+            let l3_squared = l3 * l3;
+            // moment of inertia about the centre of mass of rocker
+            let I3 = m3 * (h_squared + l3_squared) * 0.08333333333333333;
+            let l2_minus_l3 = l2 - l3;
+            let l2_minus_l3_squared = l2_minus_l3 * l2_minus_l3;
+            let t1 = l1 * 0.17364817766693041;
+            let X_0 = l4 - t1;
+            let X_0_squared = X_0 * X_0;
+            let t2 = l1 * 0.984807753012208;
+            let D_0 = X_0_squared + t2 * t2;
+            let l2_plus_l3 = l2 + l3;
+            let l2_plus_l3_squared = l2_plus_l3 * l2_plus_l3;
+            let t3 = (l2_minus_l3_squared - D_0) * (l2_plus_l3_squared - D_0);
+            let l2_squared_l3_squared = l2_squared * l3_squared;
+            let t4 = t3 * 0.25 / l2_squared_l3_squared;
+            let one_minus_rise = 1.0 - rise;
+            // distance of the centre of mass from the first end of crank
+            let r1 = l1 * 0.5;
+            // constant of the inertia
+            let C0 = I1 + m1 * (r1 * r1) + l1_squared * m2;
+            // distance of the centre of mass from the first end of coupler
+            let r2 = l2 * 0.5;
+            // constant of the inertia
+            let C1 = I2 + m2 * (r2 * r2);
+            let t5 = l2_squared - l3_squared;
+            let κ_0 = (t5 + D_0) * 0.5 / D_0;
+            let t6 = t2 * κ_0;
+            // which way the loop closes: as drawn
+            let s = (X_0 / l3 + t2 / l2).if_positive(1.0, -1.0);
+            let η_0 = s * (-t3).sqrt() * 0.5 / D_0;
+            let X_0_η_0 = X_0 * η_0;
+            let s3_0 = (t2 - t6 + X_0_η_0) / l3;
+            let X_0_κ_0 = X_0 * κ_0;
+            let t7 = t2 * η_0;
+            let t8 = (X_0 - X_0_κ_0 - t7) / l3;
+            let c3_0 = -t8;
+            // angle of `rocker` as assembled
+            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5707963267948966);
+            let t9 = (1.3962634015954636 - φ3_0).sin();
+            let s2_0 = (X_0_η_0 - t6) / l2;
+            let c2_0 = (X_0_κ_0 + t7) / l2;
+            // angle of `coupler` as assembled
+            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.0);
+            let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
+            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            // distance of the centre of mass from the first end of rocker
+            let r3 = l3 * 0.5;
+            // constant of the inertia
+            let C2 = I3 + m3 * (r3 * r3);
+            let t11 = (1.3962634015954636 - φ2_0).sin();
+            let t12 = C0 + l1_squared * C1 * (t9 * t9) / (l2_squared * t10)
+                + l1_squared * C2 * (t11 * t11) / (l3_squared * t10);
+            // constant of the inertia
+            let C3 = l1 * m2 * r2 * 2.0;
+            let t13 = l1 * C3 * t9 * (beta2 - 1.3962634015954636 + φ2_0).cos()
+                / (l2 * sin_φ2_0_minus_φ3_0);
+            let t14 = l1_squared * 0.9698463103929541;
+            let t15 = t5 + X_0_squared + t14;
+            let t16 = X_0_squared + t14;
+            let t17 = X_0 * t15 * 0.5 / t16;
+            let t18 = (X_0_squared - l2_minus_l3_squared + t14)
+                * (X_0_squared - l2_plus_l3_squared + t14);
+            let t19 = (-t18).sqrt();
+            let t20 = l1 * s * t19 * 0.492403876506104 / t16;
+            let t21 = t17 + t20;
+            let t22 = l1 * t15 * 0.492403876506104 / t16;
+            let t23 = s * X_0 * t19 * 0.5 / t16;
+            let t24 = t22 - t23;
+            let t25 = (-(s2_0 * t21 / l2 + c2_0 * t24 / l2))
+                .atan2(c2_0 * t21 / l2 - s2_0 * t24 / l2);
+            let t26 = t23 - t22 + t2;
+            let t27 = t1 - l4 + t17 + t20;
+            let t28 = (-(t8 * t26 / l3 + s3_0 * t27 / l3))
+                .atan2(s3_0 * t26 / l3 - t8 * t27 / l3);
+            let t29 = rise.if_positive(0.0, one_minus_rise.if_positive(1.0, 0.0));
+            let (sin_beta2, cos_beta2) = beta2.sin_cos();
+            let sqrt_e = e.sqrt();
+            let sqrt_e_squared = sqrt_e * sqrt_e;
+            let t30 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
+                * 0.07073553026306459;
+            // stiffness of a hinge
+            let k = t30 / r.sqrt();
+            let (sin_beta1, cos_beta1) = beta1.sin_cos();
+            let (sin_beta3, cos_beta3) = beta3.sin_cos();
+            let F_C = mu_c * Fp;
+            let v_s_squared = v_s * v_s;
+            let F_S = mu_s * Fp;
+            let F_S_minus_F_C = F_S - F_C;
+            let rise_minus_one = rise - 1.0;
+            let stroke_f = stroke * f;
+            let dddx_stack_dx_stack = -((ku + kp) / mp);
+            let dddx_stack_ddx_stack = -(cp / mp);
+            if !(1e300 - E.abs() >= 0.0) {
+                return Err(FAILURES[0].diagnostic(&[E]));
+            }
+            if !(1e300 - b.abs() >= 0.0) {
+                return Err(FAILURES[1].diagnostic(&[b]));
+            }
+            if !(1e300 - h.abs() >= 0.0) {
+                return Err(FAILURES[2].diagnostic(&[h]));
+            }
+            if !(1e300 - e.abs() >= 0.0) {
+                return Err(FAILURES[3].diagnostic(&[e]));
+            }
+            if !(1e300 - r.abs() >= 0.0) {
+                return Err(FAILURES[4].diagnostic(&[r]));
+            }
+            if !(1e300 - l1.abs() >= 0.0) {
+                return Err(FAILURES[5].diagnostic(&[l1]));
+            }
+            if !(1e300 - l2.abs() >= 0.0) {
+                return Err(FAILURES[6].diagnostic(&[l2]));
+            }
+            if !(1e300 - l3.abs() >= 0.0) {
+                return Err(FAILURES[7].diagnostic(&[l3]));
+            }
+            if !(1e300 - l4.abs() >= 0.0) {
+                return Err(FAILURES[8].diagnostic(&[l4]));
+            }
+            if !(1e300 - m1.abs() >= 0.0) {
+                return Err(FAILURES[9].diagnostic(&[m1]));
+            }
+            if !(1e300 - m2.abs() >= 0.0) {
+                return Err(FAILURES[10].diagnostic(&[m2]));
+            }
+            if !(1e300 - m3.abs() >= 0.0) {
+                return Err(FAILURES[11].diagnostic(&[m3]));
+            }
+            if !(1e300 - beta1.abs() >= 0.0) {
+                return Err(FAILURES[12].diagnostic(&[beta1]));
+            }
+            if !(1e300 - beta2.abs() >= 0.0) {
+                return Err(FAILURES[13].diagnostic(&[beta2]));
+            }
+            if !(1e300 - beta3.abs() >= 0.0) {
+                return Err(FAILURES[14].diagnostic(&[beta3]));
+            }
+            if !(1e300 - mp.abs() >= 0.0) {
+                return Err(FAILURES[15].diagnostic(&[mp]));
+            }
+            if !(1e300 - kp.abs() >= 0.0) {
+                return Err(FAILURES[16].diagnostic(&[kp]));
+            }
+            if !(1e300 - cp.abs() >= 0.0) {
+                return Err(FAILURES[17].diagnostic(&[cp]));
+            }
+            if !(1e300 - ku.abs() >= 0.0) {
+                return Err(FAILURES[18].diagnostic(&[ku]));
+            }
+            if !(1e300 - la.abs() >= 0.0) {
+                return Err(FAILURES[19].diagnostic(&[la]));
+            }
+            if !(1e300 - f.abs() >= 0.0) {
+                return Err(FAILURES[20].diagnostic(&[f]));
+            }
+            if !(1e300 - stroke.abs() >= 0.0) {
+                return Err(FAILURES[21].diagnostic(&[stroke]));
+            }
+            if !(1e300 - rise.abs() >= 0.0) {
+                return Err(FAILURES[22].diagnostic(&[rise]));
+            }
+            if !(1e300 - ln.abs() >= 0.0) {
+                return Err(FAILURES[23].diagnostic(&[ln]));
+            }
+            if !(1e300 - ms.abs() >= 0.0) {
+                return Err(FAILURES[24].diagnostic(&[ms]));
+            }
+            if !(1e300 - Fp.abs() >= 0.0) {
+                return Err(FAILURES[25].diagnostic(&[Fp]));
+            }
+            if !(1e300 - sigma0.abs() >= 0.0) {
+                return Err(FAILURES[26].diagnostic(&[sigma0]));
+            }
+            if !(1e300 - sigma1.abs() >= 0.0) {
+                return Err(FAILURES[27].diagnostic(&[sigma1]));
+            }
+            if !(1e300 - sigma2.abs() >= 0.0) {
+                return Err(FAILURES[28].diagnostic(&[sigma2]));
+            }
+            if !(1e300 - mu_s.abs() >= 0.0) {
+                return Err(FAILURES[29].diagnostic(&[mu_s]));
+            }
+            if !(1e300 - mu_c.abs() >= 0.0) {
+                return Err(FAILURES[30].diagnostic(&[mu_c]));
+            }
+            if !(1e300 - v_s.abs() >= 0.0) {
+                return Err(FAILURES[31].diagnostic(&[v_s]));
+            }
+            if !(l1 > 0.0) {
+                return Err(FAILURES[32].diagnostic(&[l1]));
+            }
+            if !(m1 >= 0.0) {
+                return Err(FAILURES[33].diagnostic(&[m1]));
+            }
+            if !(I1 >= 0.0) {
+                return Err(FAILURES[34].diagnostic(&[I1]));
+            }
+            if !(l2 > 0.0) {
+                return Err(FAILURES[35].diagnostic(&[l2]));
+            }
+            if !(m2 >= 0.0) {
+                return Err(FAILURES[36].diagnostic(&[m2]));
+            }
+            if !(I2 >= 0.0) {
+                return Err(FAILURES[37].diagnostic(&[I2]));
+            }
+            if !(l3 > 0.0) {
+                return Err(FAILURES[38].diagnostic(&[l3]));
+            }
+            if !(m3 >= 0.0) {
+                return Err(FAILURES[39].diagnostic(&[m3]));
+            }
+            if !(I3 >= 0.0) {
+                return Err(FAILURES[40].diagnostic(&[I3]));
+            }
+            if !(mp >= 0.0) {
+                return Err(FAILURES[41].diagnostic(&[mp]));
+            }
+            if !(ms >= 0.0) {
+                return Err(FAILURES[42].diagnostic(&[ms]));
+            }
+            if !(-t4 >= 0.0) {
+                let sqrt_D_0 = D_0.sqrt();
+                return Err(
+                    FAILURES[43]
+                        .diagnostic(
+                            &[
+                                (sqrt_D_0 - l2 - l3).larger(l2_minus_l3.abs() - sqrt_D_0),
+                                (l3 - sqrt_D_0).abs(),
+                                l3 + sqrt_D_0,
+                                1.3962634015954636,
+                            ],
+                        ),
+                );
+            }
+            if !(-(t4 + 1e-12) > 0.0) {
+                let sqrt_D_0_2 = D_0.sqrt();
+                return Err(
+                    FAILURES[44]
+                        .diagnostic(
+                            &[
+                                (sqrt_D_0_2 - l2 - l3)
+                                    .larger(l2_minus_l3.abs() - sqrt_D_0_2),
+                                (l3 - sqrt_D_0_2).abs(),
+                                l3 + sqrt_D_0_2,
+                                1.3962634015954636,
+                            ],
+                        ),
+                );
+            }
+            if !(f > 0.0) {
+                return Err(FAILURES[45].diagnostic(&[f]));
+            }
+            if !(rise >= 0.0) {
+                return Err(FAILURES[46].diagnostic(&[rise]));
+            }
+            if !(one_minus_rise >= 0.0) {
+                return Err(FAILURES[47].diagnostic(&[rise]));
+            }
+            if !(sigma0 > 0.0) {
+                return Err(FAILURES[48].diagnostic(&[sigma0]));
+            }
+            if !(sigma1 >= 0.0) {
+                return Err(FAILURES[49].diagnostic(&[sigma1]));
+            }
+            if !(sigma2 >= 0.0) {
+                return Err(FAILURES[50].diagnostic(&[sigma2]));
+            }
+            if !(mu_s > 0.0) {
+                return Err(FAILURES[51].diagnostic(&[mu_s]));
+            }
+            if !(mu_c > 0.0) {
+                return Err(FAILURES[52].diagnostic(&[mu_c]));
+            }
+            if !(v_s > 0.0) {
+                return Err(FAILURES[53].diagnostic(&[v_s]));
+            }
+            if !(Fp > 0.0) {
+                return Err(FAILURES[54].diagnostic(&[Fp]));
+            }
+            if !(t12 - t13 > 0.0) {
+                return Err(FAILURES[55].diagnostic(&[]));
+            }
+            if !(mp > 0.0) {
+                return Err(FAILURES[56].diagnostic(&[]));
+            }
+            if !(ms > 0.0) {
+                return Err(FAILURES[57].diagnostic(&[]));
+            }
+            let prepared = Prepared {
+                start_states: [1.3962634015954636, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+                start_discretes: [t25.unwrap_to(0.0), t28.unwrap_to(0.0), 0.0, t29],
+                l1,
+                l2,
+                l3,
+                l4,
+                m2,
+                kp,
+                cp,
+                ku,
+                la,
+                f,
+                rise,
+                ln,
+                Fp,
+                sigma0,
+                sigma1,
+                sigma2,
+                C0,
+                constant1: t5,
+                l2_minus_l3_squared,
+                l2_plus_l3_squared,
+                half_s: s * 0.5,
+                per_l2: l2.recip(),
+                per_l3: l3.recip(),
+                l1_per_l2: l1 / l2,
+                r2,
+                C1,
+                l1_per_l3: l1 / l3,
+                C2,
+                cos_beta2,
+                sin_beta2,
+                C3,
+                k,
+                c2_0,
+                s2_0,
+                constant2: t8,
+                s3_0,
+                cos_beta1,
+                sin_beta1,
+                cos_beta3,
+                sin_beta3,
+                m1_r1: m1 * r1,
+                m3_r3: m3 * r3,
+                F_C,
+                per_v_s_squared: v_s_squared.recip(),
+                F_S_minus_F_C,
+                per_sigma0: sigma0.recip(),
+                two_C1: C1 * 2.0,
+                two_C2: C2 * 2.0,
+                constant3: stroke / rise_minus_one,
+                stroke_per_rise: stroke / rise,
+                constant4: stroke_f / rise_minus_one,
+                stroke_f_per_rise: stroke_f / rise,
+                per_mp: mp.recip(),
+                per_ms: ms.recip(),
+                constant5: F_S_minus_F_C * 2.0 / (sigma0 * v_s_squared),
+                two_C3: C3 * 2.0,
+                la_ku: la * ku,
+                dddx_stack_dx_stack,
+                dddx_stack_ddx_stack,
+                half_mp: mp * 0.5,
+                half_ms: ms * 0.5,
+                half_k: k * 0.5,
+                half_kp: kp * 0.5,
+                half_ku: ku * 0.5,
+                half_sigma0: sigma0 * 0.5,
+                per_f: f.recip(),
+                one_minus_rise,
+                constant6: t29,
+                constant7: one_minus_rise.if_positive(1.0, t29),
+                constant8: 0.25 / l2_squared_l3_squared,
+            };
+            check_start(prepared.states(), &prepared.start_states)?;
+            check_start(prepared.discretes(), &prepared.start_discretes)?;
+            Ok(prepared)
+        }
+    }
+    /// Everything that depends on params alone, as the functions of this module need it.
+    #[derive(Clone, Debug)]
+    pub struct Prepared<T> {
+        /// Continuous state at the start.
+        pub start_states: [T; 7],
+        /// Discrete state at the start.
+        pub start_discretes: [T; 4],
+        /// `l1`
+        pub l1: T,
+        /// `l2`
+        pub l2: T,
+        /// `l3`
+        pub l3: T,
+        /// `l4`
+        pub l4: T,
+        /// `m2`
+        pub m2: T,
+        /// `kp`
+        pub kp: T,
+        /// `cp`
+        pub cp: T,
+        /// `ku`
+        pub ku: T,
+        /// `la`
+        pub la: T,
+        /// `f`
+        pub f: T,
+        /// `rise`
+        pub rise: T,
+        /// `ln`
+        pub ln: T,
+        /// `Fp`
+        pub Fp: T,
+        /// `sigma0`
+        pub sigma0: T,
+        /// `sigma1`
+        pub sigma1: T,
+        /// `sigma2`
+        pub sigma2: T,
+        /// `C0` constant of the inertia
+        pub C0: T,
+        /// `l2 * l2 - l3 * l3`
+        pub constant1: T,
+        /// `(l2 - l3) * (l2 - l3)`
+        pub l2_minus_l3_squared: T,
+        /// `(l2 + l3) * (l2 + l3)`
+        pub l2_plus_l3_squared: T,
+        /// `0.5 * s`
+        pub half_s: T,
+        /// `1.0 / l2`
+        pub per_l2: T,
+        /// `1.0 / l3`
+        pub per_l3: T,
+        /// `l1 / l2`
+        pub l1_per_l2: T,
+        /// `r2` distance of the centre of mass from the first end of coupler
+        pub r2: T,
+        /// `C1` constant of the inertia
+        pub C1: T,
+        /// `l1 / l3`
+        pub l1_per_l3: T,
+        /// `C2` constant of the inertia
+        pub C2: T,
+        /// `cos(beta2)`
+        pub cos_beta2: T,
+        /// `sin(beta2)`
+        pub sin_beta2: T,
+        /// `C3` constant of the inertia
+        pub C3: T,
+        /// `k` stiffness of a hinge
+        pub k: T,
+        /// `c2⁰`
+        pub c2_0: T,
+        /// `s2⁰`
+        pub s2_0: T,
+        /// `(X⁰ - X⁰ * κ⁰ - 0.984807753012208 * l1 * η⁰) / l3`
+        pub constant2: T,
+        /// `s3⁰`
+        pub s3_0: T,
+        /// `cos(beta1)`
+        pub cos_beta1: T,
+        /// `sin(beta1)`
+        pub sin_beta1: T,
+        /// `cos(beta3)`
+        pub cos_beta3: T,
+        /// `sin(beta3)`
+        pub sin_beta3: T,
+        /// `m1 * r1`
+        pub m1_r1: T,
+        /// `m3 * r3`
+        pub m3_r3: T,
+        /// `F_C`
+        pub F_C: T,
+        /// `1.0 / (v_s * v_s)`
+        pub per_v_s_squared: T,
+        /// `F_S - F_C`
+        pub F_S_minus_F_C: T,
+        /// `1.0 / sigma0`
+        pub per_sigma0: T,
+        /// `2.0 * C1`
+        pub two_C1: T,
+        /// `2.0 * C2`
+        pub two_C2: T,
+        /// `stroke / (rise - 1.0)`
+        pub constant3: T,
+        /// `stroke / rise`
+        pub stroke_per_rise: T,
+        /// `stroke * f / (rise - 1.0)`
+        pub constant4: T,
+        /// `stroke * f / rise`
+        pub stroke_f_per_rise: T,
+        /// `1.0 / mp`
+        pub per_mp: T,
+        /// `1.0 / ms`
+        pub per_ms: T,
+        /// `2.0 * (F_S - F_C) / (sigma0 * v_s * v_s)`
+        pub constant5: T,
+        /// `2.0 * C3`
+        pub two_C3: T,
+        /// `la * ku`
+        pub la_ku: T,
+        /// `∂ẍ_stack/∂x_stack`
+        pub dddx_stack_dx_stack: T,
+        /// `∂ẍ_stack/∂ẋ_stack`
+        pub dddx_stack_ddx_stack: T,
+        /// `0.5 * mp`
+        pub half_mp: T,
+        /// `0.5 * ms`
+        pub half_ms: T,
+        /// `0.5 * k`
+        pub half_k: T,
+        /// `0.5 * kp`
+        pub half_kp: T,
+        /// `0.5 * ku`
+        pub half_ku: T,
+        /// `0.5 * sigma0`
+        pub half_sigma0: T,
+        /// `1.0 / f`
+        pub per_f: T,
+        /// `1.0 - rise`
+        pub one_minus_rise: T,
+        /// `if_positive(rise, 0.0, if_positive(1.0 - rise, 1.0, 0.0))`
+        pub constant6: T,
+        /// `if_positive(1.0 - rise, 1.0, if_positive(rise, 0.0, if_positive(1.0 - rise, 1.0,…`
+        pub constant7: T,
+        /// `0.25 / (l2 * l2 * l3 * l3)`
+        pub constant8: T,
+    }
+    impl<T: Copy> Prepared<T> {
+        /// The same with every number turned into another: for dual numbers or lanes.
+        pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
+            Prepared {
+                start_states: self.start_states.map(&turn),
+                start_discretes: self.start_discretes.map(&turn),
+                l1: turn(self.l1),
+                l2: turn(self.l2),
+                l3: turn(self.l3),
+                l4: turn(self.l4),
+                m2: turn(self.m2),
+                kp: turn(self.kp),
+                cp: turn(self.cp),
+                ku: turn(self.ku),
+                la: turn(self.la),
+                f: turn(self.f),
+                rise: turn(self.rise),
+                ln: turn(self.ln),
+                Fp: turn(self.Fp),
+                sigma0: turn(self.sigma0),
+                sigma1: turn(self.sigma1),
+                sigma2: turn(self.sigma2),
+                C0: turn(self.C0),
+                constant1: turn(self.constant1),
+                l2_minus_l3_squared: turn(self.l2_minus_l3_squared),
+                l2_plus_l3_squared: turn(self.l2_plus_l3_squared),
+                half_s: turn(self.half_s),
+                per_l2: turn(self.per_l2),
+                per_l3: turn(self.per_l3),
+                l1_per_l2: turn(self.l1_per_l2),
+                r2: turn(self.r2),
+                C1: turn(self.C1),
+                l1_per_l3: turn(self.l1_per_l3),
+                C2: turn(self.C2),
+                cos_beta2: turn(self.cos_beta2),
+                sin_beta2: turn(self.sin_beta2),
+                C3: turn(self.C3),
+                k: turn(self.k),
+                c2_0: turn(self.c2_0),
+                s2_0: turn(self.s2_0),
+                constant2: turn(self.constant2),
+                s3_0: turn(self.s3_0),
+                cos_beta1: turn(self.cos_beta1),
+                sin_beta1: turn(self.sin_beta1),
+                cos_beta3: turn(self.cos_beta3),
+                sin_beta3: turn(self.sin_beta3),
+                m1_r1: turn(self.m1_r1),
+                m3_r3: turn(self.m3_r3),
+                F_C: turn(self.F_C),
+                per_v_s_squared: turn(self.per_v_s_squared),
+                F_S_minus_F_C: turn(self.F_S_minus_F_C),
+                per_sigma0: turn(self.per_sigma0),
+                two_C1: turn(self.two_C1),
+                two_C2: turn(self.two_C2),
+                constant3: turn(self.constant3),
+                stroke_per_rise: turn(self.stroke_per_rise),
+                constant4: turn(self.constant4),
+                stroke_f_per_rise: turn(self.stroke_f_per_rise),
+                per_mp: turn(self.per_mp),
+                per_ms: turn(self.per_ms),
+                constant5: turn(self.constant5),
+                two_C3: turn(self.two_C3),
+                la_ku: turn(self.la_ku),
+                dddx_stack_dx_stack: turn(self.dddx_stack_dx_stack),
+                dddx_stack_ddx_stack: turn(self.dddx_stack_ddx_stack),
+                half_mp: turn(self.half_mp),
+                half_ms: turn(self.half_ms),
+                half_k: turn(self.half_k),
+                half_kp: turn(self.half_kp),
+                half_ku: turn(self.half_ku),
+                half_sigma0: turn(self.half_sigma0),
+                per_f: turn(self.per_f),
+                one_minus_rise: turn(self.one_minus_rise),
+                constant6: turn(self.constant6),
+                constant7: turn(self.constant7),
+                constant8: turn(self.constant8),
+            }
+        }
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        dx: &mut [T; 7],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let x_stack = x[2];
+        let dx_stack = x[3];
+        let dx_stage = x[5];
+        let z = x[6];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        let xp_cycle = d[2];
+        let xp_falling = d[3];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_cos_φ1 = p.l1 * cos_φ1;
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - l1_cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = (s2 * t2 + c2 * s3).recip();
+        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        let t5 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        // inertia
+        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3) - p.C3 * (t4 * t5);
+        let t6 = φ1 - 1.3962634015954636;
+        let t7 = t4 + 1.0;
+        let t8 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t8.unwrap_to(turn_coupler);
+        let t9 = p.k * (t7 * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0));
+        let t10 = t4 + ω3;
+        let t11 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t11.unwrap_to(turn_rocker);
+        // springs
+        let dP_s_dφ1 = p.k * t6 - t9 - p.k * (t10 * (φ2_minus_φ2_0 - φ3_minus_φ3_0))
+            + p.k * (φ3_minus_φ3_0 * ω3);
+        let t12 = l1_cos_φ1 - p.r2 * (t4 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
+        let t13 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t12;
+        // gravity
+        let dP_g_dφ1 = (t13 - p.m3_r3 * (ω3 * (p.cos_beta3 * t2 + p.sin_beta3 * s3)))
+            * 9.81;
+        // potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        // displacement of `A`
+        let x_A = p.la
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t6 * 0.5).sin() * 2.0);
+        // force of `joint` on its second end
+        let F_joint = p.ku * (x_stack - x_A);
+        let t14 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 - p.ln * (t4 * c2));
+        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t4 * s2);
+        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
+        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
+        let t15 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+            - p.l2 * (t4 * t10 * cos_φ2_minus_φ3);
+        let t16 = p.per_l2 * (t3 * t15);
+        let t17 = p.l3 * (ω3 * t10 * cos_φ2_minus_φ3)
+            - p.l1 * (cos_φ1_minus_φ2 * t7);
+        let t18 = p.two_C1 * (t4 * t16) - p.two_C2 * (ω3 * (p.per_l3 * (t3 * t17)))
+            - p.C3 * (t16 * t5);
+        let t19 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
+        // its derivative
+        let dA_dφ1 = t18 - p.C3 * (t4 * t7 * t19);
+        // ── state ──
+        // slip velocity of `tip`
+        let v = dv_ddφ1 * dφ1 - dx_stage;
+        let g_v = p.per_sigma0
+            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
+        let ż = v - z * v.abs() * g_v.recip();
+        // friction force of `tip` on its second end
+        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
+        // generalized torque of all other forces
+        let τ = t14 - dv_ddφ1 * F_f;
+        let ddφ1 = -(A.recip() * (dP_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
+        let xp_falling_minus_half = xp_falling - 0.5;
+        let f_t = p.f * t;
+        // drive `xp`
+        let xp = xp_falling_minus_half
+            .if_positive(
+                -(p.constant3 * (xp_cycle + 1.0 - f_t)),
+                -(p.stroke_per_rise * (xp_cycle - f_t)),
+            );
+        // rate of the drive `xp`
+        let dxp = xp_falling_minus_half.if_positive(p.constant4, p.stroke_f_per_rise);
+        // force of `ceramic` on its second end
+        let F_ceramic = p.kp * (xp - x_stack) - p.cp * (dx_stack - dxp);
+        // generalized force of all other forces
+        let Q_stack = F_ceramic - F_joint;
+        let ddx_stack = p.per_mp * Q_stack;
+        let ddx_stage = p.per_ms * F_f;
+        dx[0] = dφ1;
+        dx[1] = ddφ1;
+        dx[2] = dx_stack;
+        dx[3] = ddx_stack;
+        dx[4] = dx_stage;
+        dx[5] = ddx_stage;
+        dx[6] = ż;
+    }
+    /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
+    #[inline(always)]
+    pub fn jacobian<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 49],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let x_stack = x[2];
+        let dx_stage = x[5];
+        let z = x[6];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_cos_φ1 = p.l1 * cos_φ1;
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - l1_cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = s2 * t2 + c2 * s3;
+        let t4 = t3.recip();
+        let t5 = sin_φ1 * t2 + cos_φ1 * s3;
+        let t6 = p.l1_per_l2 * (t4 * t5);
+        let t7 = t6 * t6;
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t4 * sin_φ1_minus_φ2);
+        let ω3_squared = ω3 * ω3;
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        let t8 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        // inertia
+        let A = p.C0 + p.C1 * t7 + p.C2 * ω3_squared - p.C3 * (t6 * t8);
+        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
+        let ω3_minus_one = ω3 - 1.0;
+        let t9 = t6 + ω3;
+        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
+        let t10 = p.l1 * (cos_φ1_minus_φ3 * ω3_minus_one)
+            - p.l2 * (t6 * t9 * cos_φ2_minus_φ3);
+        let t11 = p.per_l2 * (t4 * t10);
+        let t12 = t6 * t11;
+        let t13 = t6 + 1.0;
+        let t14 = p.l3 * (ω3 * t9 * cos_φ2_minus_φ3)
+            - p.l1 * (cos_φ1_minus_φ2 * t13);
+        let t15 = p.per_l3 * (t4 * t14);
+        let t16 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
+        // its derivative
+        let dA_dφ1 = p.two_C1 * t12 - p.two_C2 * (ω3 * t15) - p.C3 * (t11 * t8)
+            - p.C3 * (t6 * t13 * t16);
+        let t17 = φ1 - 1.3962634015954636;
+        let t18 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t18.unwrap_to(turn_coupler);
+        let t19 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t20 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t20.unwrap_to(turn_rocker);
+        let t21 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
+        // springs
+        let dP_s_dφ1 = p.k * t17 - p.k * (t13 * t19) - p.k * (t9 * t21)
+            + p.k * (φ3_minus_φ3_0 * ω3);
+        let t22 = p.cos_beta2 * c2 - p.sin_beta2 * s2;
+        let t23 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1)
+            + p.m2 * (l1_cos_φ1 - p.r2 * (t6 * t22));
+        let t24 = p.cos_beta3 * t2 + p.sin_beta3 * s3;
+        // gravity
+        let dP_g_dφ1 = (t23 - p.m3_r3 * (ω3 * t24)) * 9.81;
+        // potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        // displacement of `A`
+        let x_A = p.la
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t17 * 0.5).sin() * 2.0);
+        // force of `joint` on its second end
+        let F_joint = p.ku * (x_stack - x_A);
+        let t25 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 - p.ln * (t6 * c2));
+        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t6 * s2);
+        let per_A = A.recip();
+        let t26 = t13 * t13;
+        let t27 = t15 - t11;
+        let t28 = t9 * t9;
+        let t29 = p.k - p.k * (t11 * t19) + p.k * t26 + p.k * (t21 * t27) + p.k * t28;
+        let ddP_s_dφ1_dφ1 = t29 + p.k * ω3_squared - p.k * (φ3_minus_φ3_0 * t15);
+        let t30 = l1_sin_φ1 + p.r2 * (t11 * t22)
+            + p.r2 * (t7 * (p.cos_beta2 * s2 + p.sin_beta2 * c2));
+        let t31 = p.m1_r1 * (p.cos_beta1 * sin_φ1 + p.sin_beta1 * cos_φ1) + p.m2 * t30;
+        let t32 = t31 - p.m3_r3 * (t15 * t24)
+            + p.m3_r3 * (ω3_squared * (p.cos_beta3 * s3 - p.sin_beta3 * t2));
+        let ddP_dφ1_dφ1 = ddP_s_dφ1_dφ1 - t32 * 9.81;
+        let dx_A_dφ1 = p.la * sin_φ1;
+        let dQ_stack_dφ1 = p.ku * dx_A_dφ1;
+        let t33 = p.la * (cos_φ1 * F_joint) - p.la * (sin_φ1 * dQ_stack_dφ1)
+            + p.Fp * (l1_sin_φ1 + p.ln * (t11 * c2) + p.ln * (t7 * s2));
+        let t34 = l1_cos_φ1 - p.ln * (t11 * s2) + p.ln * (t7 * c2);
+        let t35 = (t3 * t3).recip() * t9 * cos_φ2_minus_φ3;
+        let t36 = p.l2 * (t6 * cos_φ2_minus_φ3 * t27)
+            - p.l1 * (t5 * (ω3_minus_one * ω3_minus_one));
+        let t37 = t9 * cos_φ2_minus_φ3;
+        let t38 = t36 - p.l1 * (cos_φ1_minus_φ3 * t15) - p.l2 * (t37 * t11)
+            + p.l2 * (t3 * t6 * t28);
+        let dω2_prime_dφ1 = p.per_l2 * (t35 * t10) - p.per_l2 * (t4 * t38);
+        let t39 = p.l1 * (sin_φ1_minus_φ2 * t26) - p.l1 * (t11 * cos_φ1_minus_φ2)
+            - p.l3 * (t37 * t15);
+        let t40 = t39 - p.l3 * (ω3 * cos_φ2_minus_φ3 * t27) - p.l3 * (t3 * ω3 * t28);
+        let dω3_prime_dφ1 = p.per_l3 * (t35 * t14) - p.per_l3 * (t4 * t40);
+        let t41 = (p.C1 * (t11 * t11) - p.C1 * (t6 * dω2_prime_dφ1)) * 2.0
+            + (p.C2 * (t15 * t15) + p.C2 * (ω3 * dω3_prime_dφ1)) * 2.0;
+        let t42 = t41 + p.C3 * (t8 * dω2_prime_dφ1) - p.two_C3 * (t11 * t13 * t16)
+            - p.C3 * (t12 * t16);
+        let ddA_dφ1_dφ1 = t42 + p.C3 * (t6 * t26 * t8);
+        let dτ_dx_stack = p.la_ku * sin_φ1;
+        let dddφ1_dx_stack = per_A * dτ_dx_stack;
+        let dddx_stack_dφ1 = p.per_mp * dQ_stack_dφ1;
+        // ── state ──
+        // slip velocity of `tip`
+        let v = dv_ddφ1 * dφ1 - dx_stage;
+        let abs_v = v.abs();
+        let z_abs_v = z * abs_v;
+        let t43 = (-(p.per_v_s_squared * (v * v))).exp();
+        let g_v = p.per_sigma0 * (p.F_C + p.F_S_minus_F_C * t43);
+        let per_g_v = g_v.recip();
+        let ż = v - z_abs_v * per_g_v;
+        // friction force of `tip` on its second end
+        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
+        // generalized torque of all other forces
+        let τ = t25 - dv_ddφ1 * F_f;
+        let dφ1_squared = dφ1 * dφ1;
+        let dv_dφ1 = t34 * dφ1;
+        let z_per_g_v = z * per_g_v;
+        let sign_v = v.sign();
+        let z_abs_v_per_g_v_squared = z_abs_v * (g_v * g_v).recip();
+        let t44 = v * t43;
+        let dż_dφ1 = dv_dφ1 - z_per_g_v * dv_dφ1 * sign_v
+            - z_abs_v_per_g_v_squared * (p.constant5 * (t44 * dv_dφ1));
+        let dF_f_dφ1 = p.sigma1 * dż_dφ1 + p.sigma2 * dv_dφ1;
+        let dτ_dφ1 = t33 - t34 * F_f - dv_ddφ1 * dF_f_dφ1;
+        let dddφ1_dφ1 = (A * A).recip() * dA_dφ1
+            * (dP_dφ1 - τ + dA_dφ1 * 0.5 * dφ1_squared)
+            - per_A * (ddP_dφ1_dφ1 - dτ_dφ1 + ddA_dφ1_dφ1 * 0.5 * dφ1_squared);
+        let z_per_g_v_sign_v = z_per_g_v * sign_v;
+        let dż_ddφ1 = dv_ddφ1 - dv_ddφ1 * z_per_g_v_sign_v
+            - z_abs_v_per_g_v_squared * (p.constant5 * dv_ddφ1 * t44);
+        let dF_f_ddφ1 = p.sigma2 * dv_ddφ1 + p.sigma1 * dż_ddφ1;
+        let dddφ1_ddφ1 = -(per_A * (dv_ddφ1 * dF_f_ddφ1 + dA_dφ1 * dφ1));
+        let dg_v_ddx_stage = p.constant5 * t44;
+        let dż_ddx_stage = z_per_g_v_sign_v - 1.0
+            + z_abs_v_per_g_v_squared * dg_v_ddx_stage;
+        let dF_f_ddx_stage = p.sigma1 * dż_ddx_stage - p.sigma2;
+        let dddφ1_ddx_stage = -(per_A * (dv_ddφ1 * dF_f_ddx_stage));
+        let abs_v_per_g_v = abs_v * per_g_v;
+        let dF_f_dz = p.sigma0 - p.sigma1 * abs_v_per_g_v;
+        let dddφ1_dz = -(per_A * (dv_ddφ1 * dF_f_dz));
+        let dddx_stage_dφ1 = p.per_ms * dF_f_dφ1;
+        let dddx_stage_ddφ1 = p.per_ms * dF_f_ddφ1;
+        let dddx_stage_ddx_stage = p.per_ms * dF_f_ddx_stage;
+        let dddx_stage_dz = p.per_ms * dF_f_dz;
+        let dż_dz = -abs_v_per_g_v;
+        result[1] = T::from_f64(1.0);
+        result[7] = dddφ1_dφ1;
+        result[8] = dddφ1_ddφ1;
+        result[9] = dddφ1_dx_stack;
+        result[12] = dddφ1_ddx_stage;
+        result[13] = dddφ1_dz;
+        result[17] = T::from_f64(1.0);
+        result[21] = dddx_stack_dφ1;
+        result[23] = p.dddx_stack_dx_stack;
+        result[24] = p.dddx_stack_ddx_stack;
+        result[33] = T::from_f64(1.0);
+        result[35] = dddx_stage_dφ1;
+        result[36] = dddx_stage_ddφ1;
+        result[40] = dddx_stage_ddx_stage;
+        result[41] = dddx_stage_dz;
+        result[42] = dż_dφ1;
+        result[43] = dż_ddφ1;
+        result[47] = dż_ddx_stage;
+        result[48] = dż_dz;
+    }
+    /// The model's outputs.
+    #[inline(always)]
+    pub fn outputs<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let x_stack = x[2];
+        let x_stage = x[4];
+        let dx_stage = x[5];
+        let z = x[6];
+        let xp_cycle = d[2];
+        let xp_falling = d[3];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = p.l1_per_l2
+            * ((s2 * t2 + c2 * s3).recip() * (sin_φ1 * t2 + cos_φ1 * s3));
+        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t3 * s2);
+        // ── state ──
+        let f_t = p.f * t;
+        // drive `xp`
+        let xp = (xp_falling - 0.5)
+            .if_positive(
+                -(p.constant3 * (xp_cycle + 1.0 - f_t)),
+                -(p.stroke_per_rise * (xp_cycle - f_t)),
+            );
+        // slip velocity of `tip`
+        let v = dv_ddφ1 * dφ1 - dx_stage;
+        let g_v = p.per_sigma0
+            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
+        let ż = v - z * v.abs() * g_v.recip();
+        // friction force of `tip` on its second end
+        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
+        result[0] = dx_stage;
+        result[1] = x_stage;
+        result[2] = xp - x_stack;
+        result[3] = F_f;
+    }
+    /// Kinetic and potential energy in J, dissipated and supplied power in W.
+    #[inline(always)]
+    pub fn energy<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let x_stack = x[2];
+        let dx_stack = x[3];
+        let dx_stage = x[5];
+        let z = x[6];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        let xp_cycle = d[2];
+        let xp_falling = d[3];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_cos_φ1 = p.l1 * cos_φ1;
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - l1_cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = (s2 * t2 + c2 * s3).recip();
+        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        let t5 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        // inertia
+        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3) - p.C3 * (t4 * t5);
+        let t6 = p.m2 * (l1_sin_φ1 + p.r2 * (p.cos_beta2 * s2 + p.sin_beta2 * c2));
+        let t7 = p.m1_r1 * (p.cos_beta1 * sin_φ1 + p.sin_beta1 * cos_φ1) + t6
+            + p.m3_r3 * (p.cos_beta3 * s3 - p.sin_beta3 * t2);
+        let t8 = φ1 - 1.3962634015954636;
+        let t9 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t9.unwrap_to(turn_coupler);
+        let t10 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t11 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t11.unwrap_to(turn_rocker);
+        let t12 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
+        let t13 = t7 * 9.81 + p.half_k * (t8 * t8) + p.half_k * (t10 * t10)
+            + p.half_k * (t12 * t12);
+        // displacement of `A`
+        let x_A = p.la
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t8 * 0.5).sin() * 2.0);
+        let x_A_minus_x_stack = x_A - x_stack;
+        let t14 = t13 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0)
+            + p.half_ku * (x_A_minus_x_stack * x_A_minus_x_stack);
+        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t4 * s2);
+        // ── state ──
+        let t15 = A * 0.5 * (dφ1 * dφ1) + p.half_mp * (dx_stack * dx_stack)
+            + p.half_ms * (dx_stage * dx_stage);
+        let xp_falling_minus_half = xp_falling - 0.5;
+        let f_t = p.f * t;
+        // drive `xp`
+        let xp = xp_falling_minus_half
+            .if_positive(
+                -(p.constant3 * (xp_cycle + 1.0 - f_t)),
+                -(p.stroke_per_rise * (xp_cycle - f_t)),
+            );
+        let x_stack_minus_xp = x_stack - xp;
+        let t16 = t14 + p.half_kp * (x_stack_minus_xp * x_stack_minus_xp)
+            + p.half_sigma0 * (z * z);
+        // rate of the drive `xp`
+        let dxp = xp_falling_minus_half.if_positive(p.constant4, p.stroke_f_per_rise);
+        let dx_stack_minus_dxp = dx_stack - dxp;
+        // slip velocity of `tip`
+        let v = dv_ddφ1 * dφ1 - dx_stage;
+        let g_v = p.per_sigma0
+            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
+        let ż = v - z * v.abs() * g_v.recip();
+        let t17 = p.cp * (dx_stack_minus_dxp * dx_stack_minus_dxp) - p.sigma0 * (z * ż);
+        // friction force of `tip` on its second end
+        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
+        // force of `ceramic` on its second end
+        let F_ceramic = p.kp * (xp - x_stack) - p.cp * dx_stack_minus_dxp;
+        result[0] = t15;
+        result[1] = t16;
+        result[2] = t17 + v * F_f;
+        result[3] = dxp * F_ceramic - p.Fp * (l1_cos_φ1 - p.ln * (t4 * c2)) * dφ1;
+    }
+    /// Event functions: each event happens where its function rises through zero.
+    #[inline(always)]
+    pub fn events<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 0],
+    ) {}
+    /// For each loop a number that is positive where it closes and zero at a dead point.
+    #[inline(always)]
+    pub fn closures<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 1],
+    ) {
+        let φ1 = x[0];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let t1 = p.constant8
+            * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
+        result[0] = -t1;
+    }
+    /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn accept<T: Real>(
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
+        let t3 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t4 = (p.s3_0 * t3 - p.constant2 * s3).atan2(p.constant2 * t3 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_rocker);
+        result[0] = φ2_minus_φ2_0;
+        result[1] = φ3_minus_φ3_0;
+    }
+    /// Time in s of each drive's next kink.
+    #[inline(always)]
+    pub fn next_kinks<T: Real>(d: &[T; 4], p: &Prepared<T>, result: &mut [T; 1]) {
+        let xp_cycle = d[2];
+        let xp_falling = d[3];
+        // ── state ──
+        let t1 = (xp_falling - 0.5)
+            .if_positive(p.per_f * (xp_cycle + 1.0), p.per_f * (p.rise + xp_cycle));
+        result[0] = t1;
+    }
+    /// The discrete state after drive `index` passed its kink; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn pass_kink<T: Real>(
+        index: usize,
+        d: &[T; 4],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        match index {
+            0 => {
+                let xp_cycle = d[2];
+                let xp_falling = d[3];
+                // ── state ──
+                let xp_falling_minus_half = xp_falling - 0.5;
+                let one_plus_xp_cycle = xp_cycle + 1.0;
+                let t1 = xp_falling_minus_half
+                    .if_positive(
+                        one_plus_xp_cycle,
+                        p.one_minus_rise.if_positive(xp_cycle, one_plus_xp_cycle),
+                    );
+                let t2 = xp_falling_minus_half.if_positive(p.constant6, p.constant7);
+                result[2] = t1;
+                result[3] = t2;
+            }
+            _ => {}
+        }
+    }
+    /// The state after event `index`; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn pass_event<T: Real>(
+        index: usize,
+        t: T,
+        x: &[T; 7],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        x_after: &mut [T; 7],
+        d_after: &mut [T; 4],
+    ) {}
+    impl System for Prepared<f64> {
+        fn states(&self) -> &[Variable] {
+            STATES
+        }
+        fn discretes(&self) -> &[Variable] {
+            DISCRETES
+        }
+        fn inputs(&self) -> &[Variable] {
+            INPUTS
+        }
+        fn output_variables(&self) -> &[Variable] {
+            OUTPUTS
+        }
+        fn start(&self, x: &mut [f64], d: &mut [f64]) {
+            x.copy_from_slice(&self.start_states);
+            d.copy_from_slice(&self.start_discretes);
+        }
+        #[inline]
+        fn rhs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], dx: &mut [f64]) {
+            rhs(t, array(x), array(d), array(u), self, array_mut(dx));
+        }
+        fn jacobian(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], result: &mut [f64]) {
+            result.fill(0.0);
+            jacobian(t, array(x), array(d), array(u), self, array_mut(result));
+        }
+        fn outputs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], result: &mut [f64]) {
+            outputs(t, array(x), array(d), array(u), self, array_mut(result));
+        }
+        fn energy(&self, t: f64, x: &[f64], d: &[f64], u: &[f64]) -> Energy {
+            let mut result = [0.0; 4];
+            energy(t, array(x), array(d), array(u), self, &mut result);
+            let [kinetic, potential, dissipated_power, supplied_power] = result;
+            Energy {
+                kinetic,
+                potential,
+                dissipated_power,
+                supplied_power,
+            }
+        }
+        fn kink_count(&self) -> usize {
+            1
+        }
+        fn next_kinks(&self, d: &[f64], times: &mut [f64]) {
+            next_kinks(array(d), self, array_mut(times));
+        }
+        fn pass_kink(&self, index: usize, d: &mut [f64]) {
+            let before = *array(d);
+            pass_kink(index, &before, self, array_mut(d));
+        }
+        fn event_count(&self) -> usize {
+            0
+        }
+        fn events(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
+            events(t, array(x), array(d), array(u), self, array_mut(values));
+        }
+        fn event_name(&self, index: usize) -> &str {
+            const NAMES: [&str; 0] = [];
+            NAMES[index]
+        }
+        fn pass_event(
+            &self,
+            index: usize,
+            t: f64,
+            x: &mut [f64],
+            d: &mut [f64],
+            u: &[f64],
+        ) -> EventAction {
+            let (x_before, d_before) = (*array(x), *array(d));
+            let (x, d) = (array_mut(x), array_mut(d));
+            pass_event(index, t, &x_before, &d_before, array(u), self, x, d);
+            match index {
+                _ => EventAction::Continue,
+            }
+        }
+        fn accept(&self, t: f64, x: &[f64], u: &[f64], d: &mut [f64]) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), self, array_mut(d));
+        }
+        fn turning(&self) -> &[usize] {
+            &TURNING
+        }
+        fn loop_count(&self) -> usize {
+            1
+        }
+        fn closures(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
+            closures(t, array(x), array(d), array(u), self, array_mut(values));
+        }
+        fn loop_name(&self, index: usize) -> &str {
+            const NAMES: [&str; 1] = ["crank–coupler–rocker"];
+            NAMES[index]
+        }
+    }
+    /// Every quantity with a name: params, states, discrete states, inputs, outputs.
+    pub static VARIABLES: [Variable; 47] = [
+        Variable {
+            name: Cow::Borrowed("E"),
+            unit: Cow::Borrowed("Pa"),
+            meaning: Cow::Borrowed("elastic modulus"),
+            causality: Causality::Parameter,
+            start: Some(7.2e10),
+        },
+        Variable {
+            name: Cow::Borrowed("b"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("width, out of plane"),
+            causality: Causality::Parameter,
+            start: Some(0.003),
+        },
+        Variable {
+            name: Cow::Borrowed("h"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("link height"),
+            causality: Causality::Parameter,
+            start: Some(0.003),
+        },
+        Variable {
+            name: Cow::Borrowed("e"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("hinge web thickness"),
+            causality: Causality::Parameter,
+            start: Some(0.0015),
+        },
+        Variable {
+            name: Cow::Borrowed("r"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("hinge radius"),
+            causality: Causality::Parameter,
+            start: Some(0.001),
+        },
+        Variable {
+            name: Cow::Borrowed("l1"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0102),
+        },
+        Variable {
+            name: Cow::Borrowed("l2"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0232),
+        },
+        Variable {
+            name: Cow::Borrowed("l3"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.01),
+        },
+        Variable {
+            name: Cow::Borrowed("l4"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.025),
+        },
+        Variable {
+            name: Cow::Borrowed("m1"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0002568),
+        },
+        Variable {
+            name: Cow::Borrowed("m2"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0005877),
+        },
+        Variable {
+            name: Cow::Borrowed("m3"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0002529),
+        },
+        Variable {
+            name: Cow::Borrowed("beta1"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("direction of a centre of mass off its link's line"),
+            causality: Causality::Parameter,
+            start: Some(0.0),
+        },
+        Variable {
+            name: Cow::Borrowed("beta2"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("direction of a centre of mass off its link's line"),
+            causality: Causality::Parameter,
+            start: Some(0.0),
+        },
+        Variable {
+            name: Cow::Borrowed("beta3"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("direction of a centre of mass off its link's line"),
+            causality: Causality::Parameter,
+            start: Some(0.0),
+        },
+        Variable {
+            name: Cow::Borrowed("mp"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of the stack"),
+            causality: Causality::Parameter,
+            start: Some(0.015),
+        },
+        Variable {
+            name: Cow::Borrowed("kp"),
+            unit: Cow::Borrowed("N/m"),
+            meaning: Cow::Borrowed("stiffness of the stack"),
+            causality: Causality::Parameter,
+            start: Some(3.6e6),
+        },
+        Variable {
+            name: Cow::Borrowed("cp"),
+            unit: Cow::Borrowed("N*s/m"),
+            meaning: Cow::Borrowed("damping of the stack"),
+            causality: Causality::Parameter,
+            start: Some(0.294),
+        },
+        Variable {
+            name: Cow::Borrowed("ku"),
+            unit: Cow::Borrowed("N/m"),
+            meaning: Cow::Borrowed("stiffness of the joint between stack and crank"),
+            causality: Causality::Parameter,
+            start: Some(3e7),
+        },
+        Variable {
+            name: Cow::Borrowed("la"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("A from O1"),
+            causality: Causality::Parameter,
+            start: Some(0.0051),
+        },
+        Variable {
+            name: Cow::Borrowed("f"),
+            unit: Cow::Borrowed("1/s"),
+            meaning: Cow::Borrowed("drive frequency"),
+            causality: Causality::Parameter,
+            start: Some(1e3),
+        },
+        Variable {
+            name: Cow::Borrowed("stroke"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("drive stroke"),
+            causality: Causality::Parameter,
+            start: Some(2e-5),
+        },
+        Variable {
+            name: Cow::Borrowed("rise"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("share of the period in which the stack extends"),
+            causality: Causality::Parameter,
+            start: Some(0.95),
+        },
+        Variable {
+            name: Cow::Borrowed("ln"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("C from B"),
+            causality: Causality::Parameter,
+            start: Some(0.005),
+        },
+        Variable {
+            name: Cow::Borrowed("ms"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of the slider"),
+            causality: Causality::Parameter,
+            start: Some(0.05),
+        },
+        Variable {
+            name: Cow::Borrowed("Fp"),
+            unit: Cow::Borrowed("N"),
+            meaning: Cow::Borrowed("preload"),
+            causality: Causality::Parameter,
+            start: Some(20.0),
+        },
+        Variable {
+            name: Cow::Borrowed("sigma0"),
+            unit: Cow::Borrowed("N/m"),
+            meaning: Cow::Borrowed("bristle stiffness"),
+            causality: Causality::Parameter,
+            start: Some(5e6),
+        },
+        Variable {
+            name: Cow::Borrowed("sigma1"),
+            unit: Cow::Borrowed("N*s/m"),
+            meaning: Cow::Borrowed("bristle damping"),
+            causality: Causality::Parameter,
+            start: Some(5.0),
+        },
+        Variable {
+            name: Cow::Borrowed("sigma2"),
+            unit: Cow::Borrowed("N*s/m"),
+            meaning: Cow::Borrowed("viscous friction"),
+            causality: Causality::Parameter,
+            start: Some(0.5),
+        },
+        Variable {
+            name: Cow::Borrowed("mu_s"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("coefficient of static friction"),
+            causality: Causality::Parameter,
+            start: Some(0.3),
+        },
+        Variable {
+            name: Cow::Borrowed("mu_c"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("coefficient of sliding friction"),
+            causality: Causality::Parameter,
+            start: Some(0.2),
+        },
+        Variable {
+            name: Cow::Borrowed("v_s"),
+            unit: Cow::Borrowed("m/s"),
+            meaning: Cow::Borrowed("Stribeck velocity"),
+            causality: Causality::Parameter,
+            start: Some(0.001),
+        },
+        Variable {
+            name: Cow::Borrowed("crank.angle"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed("angle of `crank`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("crank.rate"),
+            unit: Cow::Borrowed("rad/s"),
+            meaning: Cow::Borrowed("angular rate of `crank`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("stack.x"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("position of `stack`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("stack.v"),
+            unit: Cow::Borrowed("m/s"),
+            meaning: Cow::Borrowed("velocity of `stack`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("stage.x"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("position of `stage`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("stage.v"),
+            unit: Cow::Borrowed("m/s"),
+            meaning: Cow::Borrowed("velocity of `stage`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("tip.z"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("bristle deflection"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("coupler.turn"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed(
+                "angle of `coupler` from the assembled one at the last accepted step",
+            ),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("rocker.turn"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed(
+                "angle of `rocker` from the assembled one at the last accepted step",
+            ),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("xp.cycle"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("segment of the drive `xp`"),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("xp.falling"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("segment of the drive `xp`"),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("speed"),
+            unit: Cow::Borrowed("m/s"),
+            meaning: Cow::Borrowed("velocity of the slider"),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("position"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("position of the slider"),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("lag"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("stroke that the stack's stiffness takes up"),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("friction"),
+            unit: Cow::Borrowed("N"),
+            meaning: Cow::Borrowed("friction force on the slider"),
+            causality: Causality::Output,
+            start: None,
+        },
+    ];
+    static PARAMS: &[Variable] = VARIABLES.split_at(0).1.split_at(32).0;
+    static STATES: &[Variable] = VARIABLES.split_at(32).1.split_at(7).0;
+    static DISCRETES: &[Variable] = VARIABLES.split_at(39).1.split_at(4).0;
+    static INPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(0).0;
+    static OUTPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(4).0;
+    static TURNING: [usize; 2] = [0, 1];
+    static FAILURES: [Failure; 58] = [
+        Failure {
+            message: Cow::Borrowed("the param `E` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 11,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param E  = 72 GPa                                                   \"elastic modulus\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `b` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 12,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param b  = 3 mm                                                     \"width, out of plane\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `h` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 13,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param h  = 3 mm                                                     \"link height\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `e` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 14,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param e  = 1.5 mm                                                   \"hinge web thickness\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `r` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 15,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param r  = 1 mm                                                     \"hinge radius\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l1` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 16,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l2` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 16,
+                column: 21,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l3` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 16,
+                column: 35,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l4` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 16,
+                column: 47,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `m1` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 17,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g                   \"mass of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `m2` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 17,
+                column: 22,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g                   \"mass of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `m3` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 17,
+                column: 37,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g                   \"mass of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `beta1` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 18,
+                column: 7,
+                width: 5,
+                excerpt: Cow::Borrowed(
+                    "param beta1 = 0 deg, beta2 = 0 deg, beta3 = 0 deg                   \"direction of a centre of mass off its link's line\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `beta2` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 18,
+                column: 22,
+                width: 5,
+                excerpt: Cow::Borrowed(
+                    "param beta1 = 0 deg, beta2 = 0 deg, beta3 = 0 deg                   \"direction of a centre of mass off its link's line\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `beta3` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 18,
+                column: 37,
+                width: 5,
+                excerpt: Cow::Borrowed(
+                    "param beta1 = 0 deg, beta2 = 0 deg, beta3 = 0 deg                   \"direction of a centre of mass off its link's line\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `mp` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 59,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param mp = 15 g                                                     \"mass of the stack\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `kp` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 60,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param kp = 3.6e6 N/m                                                \"stiffness of the stack\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `cp` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 61,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param cp = 0.294 N*s/m                                              \"damping of the stack\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `ku` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 62,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param ku = 3e7 N/m                                                  \"stiffness of the joint between stack and crank\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `la` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 63,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param la = 5.1 mm                                                   \"A from O1\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `f` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 64,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param f  = 1 kHz                                                    \"drive frequency\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `stroke` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 65,
+                column: 7,
+                width: 6,
+                excerpt: Cow::Borrowed(
+                    "param stroke = 20 um                                                \"drive stroke\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `rise` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 66,
+                column: 7,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "param rise   = 0.95                                                 \"share of the period in which the stack extends\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `ln` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 78,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param ln = 5 mm                                                     \"C from B\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `ms` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 79,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param ms = 50 g                                                     \"mass of the slider\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `Fp` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 80,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param Fp = 20 N                                                     \"preload\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `sigma0` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 81,
+                column: 7,
+                width: 6,
+                excerpt: Cow::Borrowed(
+                    "param sigma0 = 5e6 N/m                                              \"bristle stiffness\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `sigma1` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 82,
+                column: 7,
+                width: 6,
+                excerpt: Cow::Borrowed(
+                    "param sigma1 = 5 N*s/m                                              \"bristle damping\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `sigma2` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 83,
+                column: 7,
+                width: 6,
+                excerpt: Cow::Borrowed(
+                    "param sigma2 = 0.5 N*s/m                                            \"viscous friction\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `mu_s` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 84,
+                column: 7,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "param mu_s = 0.3                                                    \"coefficient of static friction\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `mu_c` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 85,
+                column: 7,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "param mu_c = 0.2                                                    \"coefficient of sliding friction\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `v_s` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 86,
+                column: 7,
+                width: 3,
+                excerpt: Cow::Borrowed(
+                    "param v_s  = 1 mm/s                                                 \"Stribeck velocity\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the length of `crank` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 24,
+                column: 6,
+                width: 5,
+                excerpt: Cow::Borrowed("link crank from O1 to B {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `crank` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 27,
+                column: 3,
+                width: 4,
+                excerpt: Cow::Borrowed("  mass    = m1"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the moment of inertia of `crank` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 27,
+                column: 3,
+                width: 4,
+                excerpt: Cow::Borrowed("  mass    = m1"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the length of `coupler` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 32,
+                column: 6,
+                width: 7,
+                excerpt: Cow::Borrowed("link coupler from B to D {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `coupler` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 35,
+                column: 3,
+                width: 4,
+                excerpt: Cow::Borrowed("  mass    = m2"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the moment of inertia of `coupler` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 35,
+                column: 3,
+                width: 4,
+                excerpt: Cow::Borrowed("  mass    = m2"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the length of `rocker` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 40,
+                column: 6,
+                width: 6,
+                excerpt: Cow::Borrowed("link rocker from O2 to D {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `rocker` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 43,
+                column: 3,
+                width: 4,
+                excerpt: Cow::Borrowed("  mass    = m3"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the moment of inertia of `rocker` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 43,
+                column: 3,
+                width: 4,
+                excerpt: Cow::Borrowed("  mass    = m3"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `stack` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 72,
+                column: 32,
+                width: 4,
+                excerpt: Cow::Borrowed("slide  stack   along (-1, 0) { mass = mp }"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `stage` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 90,
+                column: 29,
+                width: 4,
+                excerpt: Cow::Borrowed("slide stage along (-1, 0) { mass = ms }"),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed(
+                "the loop crank–coupler–rocker cannot close: at `crank` angle {3} the gap is {0}",
+            ),
+            hint: Some(
+                Cow::Borrowed(
+                    "`coupler` would need to be {1} to {2} long between its joints, or another link another length or angle",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 32,
+                column: 6,
+                width: 7,
+                excerpt: Cow::Borrowed("link coupler from B to D {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+        },
+        Failure {
+            message: Cow::Borrowed(
+                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+            ),
+            hint: Some(
+                Cow::Borrowed(
+                    "assemble it in another configuration: change an angle or a length",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 32,
+                column: 6,
+                width: 7,
+                excerpt: Cow::Borrowed("link coupler from B to D {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+        },
+        Failure {
+            message: Cow::Borrowed("the frequency is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 70,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the `rise` of the sawtooth is {0}"),
+            hint: Some(Cow::Borrowed("it is a fraction of the period, from 0 to 1")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 70,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the `rise` of the sawtooth is {0}"),
+            hint: Some(Cow::Borrowed("it is a fraction of the period, from 0 to 1")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 70,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the bristle stiffness `sigma0` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the bristle damping `sigma1` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the viscous friction `sigma2` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the static friction coefficient `mu_s` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the sliding friction coefficient `mu_c` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the Stribeck velocity `v_s` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the preload is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 92,
+                column: 9,
+                width: 3,
+                excerpt: Cow::Borrowed("contact tip between C and stage {"),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("`crank` can move but has no mass"),
+            hint: Some(
+                Cow::Borrowed(
+                    "give it a mass above zero, or join it to a body that has one",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 24,
+                column: 6,
+                width: 5,
+                excerpt: Cow::Borrowed("link crank from O1 to B {"),
+            }),
+            units: Cow::Borrowed(&[]),
+        },
+        Failure {
+            message: Cow::Borrowed("`stack` can move but has no mass"),
+            hint: Some(
+                Cow::Borrowed(
+                    "give it a mass above zero, or join it to a body that has one",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 72,
+                column: 8,
+                width: 5,
+                excerpt: Cow::Borrowed("slide  stack   along (-1, 0) { mass = mp }"),
+            }),
+            units: Cow::Borrowed(&[]),
+        },
+        Failure {
+            message: Cow::Borrowed("`stage` can move but has no mass"),
+            hint: Some(
+                Cow::Borrowed(
+                    "give it a mass above zero, or join it to a body that has one",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 90,
+                column: 7,
+                width: 5,
+                excerpt: Cow::Borrowed("slide stage along (-1, 0) { mass = ms }"),
+            }),
+            units: Cow::Borrowed(&[]),
+        },
+    ];
+    /// The equations of motion in plain text.
+    pub const EQUATIONS: &str = r#"double_rocker
+═════════════
+
+Double-rocker flexure stick–slip actuator.
+
+A piezo stack pushes a four-bar of flexure hinges at `A`. The coupler's tip `C` presses on a
+slider and carries it along by friction: slowly forward, sticking; quickly back, slipping.
+
+Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen & Nguyen, Machines 2025, 13, 787.
+
+Loop crank–coupler–rocker
+─────────────────────────
+
+  l1 e^(i φ1) + l2 e^(i φ2) - l3 e^(i φ3) - l4 = 0
+
+  X   = l4 - l1 cos(φ1)
+  Y   = -l1 sin(φ1)
+  D   = X² + Y²
+  κ   = (l2² - l3² + D) / (2 D)
+  η   = s sqrt(-(D - (l2 - l3)²) (D - (l2 + l3)²)) / (2 D)
+  c2  = (X κ - Y η) / l2
+  s2  = (Y κ + X η) / l2
+  c3  = -(X - X κ + Y η) / l3
+  s3  = (Y κ - Y + X η) / l3
+  ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
+  ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
+  ω2' = (l1 (ω3 - 1) cos(φ1 - φ3) - l2 ω2 (ω2 - ω3) cos(φ2 - φ3)) / (l2 sin(φ2 - φ3))
+  ω3' = (l1 (ω2 - 1) cos(φ1 - φ2) - l3 ω3 (ω2 - ω3) cos(φ2 - φ3)) / (l3 sin(φ2 - φ3))
+
+Drives
+──────
+
+  xp(t) = sawtooth(stroke, frequency = f, rise = rise)
+
+Constants of the inertia
+────────────────────────
+
+  C0 = I1 + m1 r1² + m2 l1²
+  C1 = I2 + m2 r2²
+  C2 = I3 + m3 r3²
+  C3 = 2 l1 m2 r2
+
+Named forces
+────────────
+
+  F_ceramic = kp (xp - x_stack) - cp (ẋ_stack - ẋp)
+  x_A       = la (cos(φ1⁰) - cos(φ1))
+  F_joint   = ku (x_stack - x_A)
+  F_N       = Fp
+  v         = φ̇1 (l1 sin(φ1) + ln ω2 sin(φ2)) - ẋ_stage
+  F_S       = mu_s F_N
+  F_C       = mu_c F_N
+  g(v)      = (F_C + (F_S - F_C) exp(-(v/v_s)²)) / sigma0
+  ż         = v - z |v| / g(v)
+  F_f       = sigma0 z + sigma1 ż + sigma2 v
+
+Equation of motion of `crank`
+─────────────────────────────
+
+  A(φ1)    = C0 + C1 ω2² + C2 ω3² + C3 ω2 cos(φ2 - φ1 + beta2)
+  ∂A/∂φ1   = 2 C1 ω2 ω2'
+           + 2 C2 ω3 ω3'
+           + C3 ω2' cos(φ2 - φ1 + beta2)
+           - C3 ω2 (ω2 - 1) sin(φ2 - φ1 + beta2)
+  ∂P_s/∂φ1 = k (φ1 - φ1⁰)
+           + k (ω2 - 1) (φ2 - φ2⁰ - φ1 + φ1⁰)
+           + k (ω2 - ω3) (φ2 - φ2⁰ - (φ3 - φ3⁰))
+           + k ω3 (φ3 - φ3⁰)
+  ∂P_g/∂φ1 = g (m1 r1 cos(φ1 + beta1) + m2 (l1 cos(φ1) + r2 ω2 cos(φ2 + beta2))
+               + m3 r3 ω3 cos(φ3 + beta3))
+  ∂P/∂φ1   = ∂P_s/∂φ1 + ∂P_g/∂φ1
+  τ        = la F_joint sin(φ1)
+           - F_N (l1 cos(φ1) + ln ω2 cos(φ2))
+           - F_f (l1 sin(φ1) + ln ω2 sin(φ2))
+
+  A(φ1) φ̈1 + ½ ∂A/∂φ1 φ̇1² + ∂P/∂φ1 = τ
+
+Equation of motion of `stack`
+─────────────────────────────
+
+  Q_stack = F_ceramic - F_joint
+
+  mp ẍ_stack = Q_stack
+
+Equation of motion of `stage`
+─────────────────────────────
+
+  ms ẍ_stage = F_f
+
+Constants
+─────────
+
+  k   = 2 E b e^(5/2) / (9 π sqrt(r))
+        stiffness of a hinge
+  r1  = ½ l1                 distance of the centre of mass from the first end of crank
+  I1  = 1/12 m1 (l1² + h²)   moment of inertia about the centre of mass of crank
+  r2  = ½ l2                 distance of the centre of mass from the first end of coupler
+  I2  = 1/12 m2 (h² + l2²)   moment of inertia about the centre of mass of coupler
+  r3  = ½ l3                 distance of the centre of mass from the first end of rocker
+  I3  = 1/12 m3 (h² + l3²)   moment of inertia about the centre of mass of rocker
+  φ1⁰ = 4/9 π                angle of `crank` as assembled
+  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
+        which way the loop closes: as drawn
+  X⁰  = l4 - l1 cos(φ1⁰)
+  Y⁰  = -l1 sin(φ1⁰)
+  g   = 9.81                 acceleration of gravity
+"#;
+    /// The equations of motion as a LaTeX document.
+    pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{amsmath}
+\usepackage[margin=2cm]{geometry}
+\allowdisplaybreaks
+\begin{document}
+
+\section*{double\_rocker}
+Double-rocker flexure stick–slip actuator.
+
+A piezo stack pushes a four-bar of flexure hinges at \texttt{A}. The coupler's tip \texttt{C} presses on a
+slider and carries it along by friction: slowly forward, sticking; quickly back, slipping.
+
+Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen \& Nguyen, Machines 2025, 13, 787.
+
+\subsection*{Loop crank–coupler–rocker}
+\begin{align*}
+& l_{1}\, e^{i \varphi_{1}} + l_{2}\, e^{i \varphi_{2}} - l_{3}\, e^{i \varphi_{3}} - l_{4} = 0 \\
+X &= l_{4} - l_{1} \cos \varphi_{1} \\
+Y &= -l_{1} \sin \varphi_{1} \\
+D &= X^{2} + Y^{2} \\
+\kappa &= \frac{l_{2}^{2} - l_{3}^{2} + D}{2 \, D} \\
+\eta &= \frac{s}{2 \, D} \, \sqrt{-\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(D - \left(l_{2} + l_{3}\right)^{2}\right)} \\
+\cos \varphi_{2} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
+\sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
+\cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
+\sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
+\omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) - l_{2} \, \omega_{2} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega'_{3} &= \frac{l_{1} \left(\omega_{2} - 1\right) \cos\left(\varphi_{1} - \varphi_{2}\right) - l_{3} \, \omega_{3} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)}
+\end{align*}
+
+\subsection*{Drives}
+\begin{align*}
+& \mathit{xp}(t) = \text{sawtooth(stroke, frequency = f, rise = rise)}
+\end{align*}
+
+\subsection*{Constants of the inertia}
+\begin{align*}
+C_{0} &= I_{1} + m_{1} \, r_{1}^{2} + m_{2} \, l_{1}^{2} \\
+C_{1} &= I_{2} + m_{2} \, r_{2}^{2} \\
+C_{2} &= I_{3} + m_{3} \, r_{3}^{2} \\
+C_{3} &= 2 \, l_{1} \, m_{2} \, r_{2}
+\end{align*}
+
+\subsection*{Named forces}
+\begin{align*}
+F_{\mathrm{ceramic}} &= \mathit{kp} \left(\mathit{xp} - x_{\mathrm{stack}}\right) - \mathit{cp} \left(\dot{x}_{\mathrm{stack}} - \dot{\mathit{xp}}\right) \\
+x_{A} &= \mathit{la} \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) \\
+F_{\mathrm{joint}} &= \mathit{ku} \left(x_{\mathrm{stack}} - x_{A}\right) \\
+F_N &= \mathit{Fp} \\
+v &= \dot{\varphi}_{1} \left(l_{1} \sin \varphi_{1} + \mathit{ln} \, \omega_{2} \sin \varphi_{2}\right) - \dot{x}_{\mathrm{stage}} \\
+F_S &= \mu_{s} \, F_N \\
+F_C &= \mu_{c} \, F_N \\
+g(v) &= \frac{F_C + \left(F_S - F_C\right) \exp\left(-\left(\frac{v}{v_{s}}\right)^{2}\right)}{\sigma_{0}} \\
+\dot{z} &= v - \frac{z \left|v\right|}{g(v)} \\
+F_{f} &= \sigma_{0} \, z + \sigma_{1} \, \dot{z} + \sigma_{2} \, v
+\end{align*}
+
+\subsection*{Equation of motion of \texttt{crank}}
+\begin{align*}
+A(\varphi_{1}) &= C_{0} + C_{1} \, \omega_{2}^{2} + C_{2} \, \omega_{3}^{2} + C_{3} \, \omega_{2} \cos\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
+\frac{\partial A}{\partial \varphi_{1}} &= 2 \, C_{1} \, \omega_{2} \, \omega'_{2} \\
+&\quad {}+ 2 \, C_{2} \, \omega_{3} \, \omega'_{3} \\
+&\quad {}+ C_{3} \, \omega'_{2} \cos\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
+&\quad {}- C_{3} \, \omega_{2} \left(\omega_{2} - 1\right) \sin\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
+\frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
+&\quad {}+ k \left(\omega_{2} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
+&\quad {}+ k \left(\omega_{2} - \omega_{3}\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{3} - \varphi_{3}^0\right)\right) \\
+&\quad {}+ k \, \omega_{3} \left(\varphi_{3} - \varphi_{3}^0\right) \\
+\frac{\partial P_g}{\partial \varphi_{1}} &= g \left(m_{1} \, r_{1} \cos\left(\varphi_{1} + \beta_{1}\right) + m_{2} \left(l_{1} \cos \varphi_{1} + r_{2} \, \omega_{2} \cos\left(\varphi_{2} + \beta_{2}\right)\right) + m_{3} \, r_{3} \, \omega_{3} \cos\left(\varphi_{3} + \beta_{3}\right)\right) \\
+\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}} \\
+\tau &= \mathit{la} \, F_{\mathrm{joint}} \sin \varphi_{1} \\
+&\quad {}- F_N \left(l_{1} \cos \varphi_{1} + \mathit{ln} \, \omega_{2} \cos \varphi_{2}\right) \\
+&\quad {}- F_{f} \left(l_{1} \sin \varphi_{1} + \mathit{ln} \, \omega_{2} \sin \varphi_{2}\right) \\
+& A(\varphi_{1})\,\ddot{\varphi}_{1} + \tfrac12 \frac{\partial A}{\partial \varphi_{1}}\,\dot{\varphi}_{1}^2 + \frac{\partial P}{\partial \varphi_{1}} = \tau
+\end{align*}
+
+\subsection*{Equation of motion of \texttt{stack}}
+\begin{align*}
+Q_{\mathrm{stack}} &= F_{\mathrm{ceramic}} - F_{\mathrm{joint}} \\
+& \mathit{mp}\,\ddot{x}_{\mathrm{stack}} = Q_{\mathrm{stack}}
+\end{align*}
+
+\subsection*{Equation of motion of \texttt{stage}}
+\begin{align*}
+& \mathit{ms}\,\ddot{x}_{\mathrm{stage}} = F_{f}
+\end{align*}
+
+\subsection*{Constants}
+\begin{align*}
+k &= \frac{2 \, E \, b \, e^{5/2}}{9 \, \pi \, \sqrt{r}} && \text{stiffness of a hinge} \\
+r_{1} &= \frac{1}{2} \, l_{1} && \text{distance of the centre of mass from the first end of crank} \\
+I_{1} &= \frac{1}{12} \, m_{1} \left(l_{1}^{2} + h^{2}\right) && \text{moment of inertia about the centre of mass of crank} \\
+r_{2} &= \frac{1}{2} \, l_{2} && \text{distance of the centre of mass from the first end of coupler} \\
+I_{2} &= \frac{1}{12} \, m_{2} \left(h^{2} + l_{2}^{2}\right) && \text{moment of inertia about the centre of mass of coupler} \\
+r_{3} &= \frac{1}{2} \, l_{3} && \text{distance of the centre of mass from the first end of rocker} \\
+I_{3} &= \frac{1}{12} \, m_{3} \left(h^{2} + l_{3}^{2}\right) && \text{moment of inertia about the centre of mass of rocker} \\
+\varphi_{1}^0 &= \frac{4}{9} \, \pi && \text{angle of \texttt{crank} as assembled} \\
+s &= \begin{cases} 1 & \text{if } \frac{{X}^0}{l_{3}} > \frac{{Y}^0}{l_{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
+{X}^0 &= l_{4} - l_{1} \cos \varphi_{1}^0 \\
+{Y}^0 &= -l_{1} \sin \varphi_{1}^0 \\
+g &= 9.81 && \text{acceleration of gravity}
+\end{align*}
+
+\end{document}
+"#;
+}

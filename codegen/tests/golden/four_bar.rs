@@ -1,0 +1,1555 @@
+/// Simulator of the model `four_bar`, generated from its equations of motion.
+///
+/// The flexure mechanism of the double-rocker actuator alone: a four-bar of slender bars with
+/// flexure hinges, released with the crank turning.
+/// A check case: its energy is constant, and its motion is known to ten digits from an independent
+/// integration in absolute coordinates.
+#[allow(
+    non_snake_case,
+    non_upper_case_globals,
+    unused,
+    clippy::all,
+    clippy::pedantic,
+    rustdoc::all
+)]
+pub mod four_bar {
+    use std::borrow::Cow;
+    use ::flexure_runtime::checks::{check_params, check_start};
+    use ::flexure_runtime::diagnostic::{Diagnostic, Site};
+    use ::flexure_runtime::failure::{Failure, Unit};
+    use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::newton;
+    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    /// What may be set: all in SI units, angles in rad.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Params {
+        /// elastic modulus in Pa; 7.2e10 by default
+        pub E: f64,
+        /// width, out of plane in m; 0.003 by default
+        pub b: f64,
+        /// hinge web thickness in m; 0.0015 by default
+        pub e: f64,
+        /// hinge radius in m; 0.001 by default
+        pub r: f64,
+        /// length of a link in m; 0.0102 by default
+        pub l1: f64,
+        /// length of a link in m; 0.0232 by default
+        pub l2: f64,
+        /// length of a link in m; 0.01 by default
+        pub l3: f64,
+        /// length of a link in m; 0.025 by default
+        pub l4: f64,
+        /// mass of a link in kg; 0.0002568 by default
+        pub m1: f64,
+        /// mass of a link in kg; 0.0005877 by default
+        pub m2: f64,
+        /// mass of a link in kg; 0.0002529 by default
+        pub m3: f64,
+    }
+    impl Default for Params {
+        fn default() -> Self {
+            Self {
+                E: 7.2e10,
+                b: 0.003,
+                e: 0.0015,
+                r: 0.001,
+                l1: 0.0102,
+                l2: 0.0232,
+                l3: 0.01,
+                l4: 0.025,
+                m1: 0.0002568,
+                m2: 0.0005877,
+                m3: 0.0002529,
+            }
+        }
+    }
+    impl Params {
+        /// The values in the order of [`VARIABLES`].
+        pub fn values(&self) -> [f64; 11] {
+            [
+                self.E,
+                self.b,
+                self.e,
+                self.r,
+                self.l1,
+                self.l2,
+                self.l3,
+                self.l4,
+                self.m1,
+                self.m2,
+                self.m3,
+            ]
+        }
+        /// Closes the loops and computes everything that depends on params alone.
+        ///
+        /// # Errors
+        /// What is wrong with the parameter set, in the words of `flexure check`.
+        pub fn prepare(&self) -> Result<Prepared<f64>, Diagnostic> {
+            check_params(PARAMS, &self.values())?;
+            let E = self.E;
+            let b = self.b;
+            let e = self.e;
+            let r = self.r;
+            let l1 = self.l1;
+            let l2 = self.l2;
+            let l3 = self.l3;
+            let l4 = self.l4;
+            let m1 = self.m1;
+            let m2 = self.m2;
+            let m3 = self.m3;
+            let l1_squared = l1 * l1;
+            // moment of inertia about the centre of mass of crank
+            let I1 = l1_squared * m1 * 0.08333333333333333;
+            let l2_squared = l2 * l2;
+            // moment of inertia about the centre of mass of coupler
+            let I2 = l2_squared * m2 * 0.08333333333333333;
+            let l3_squared = l3 * l3;
+            // moment of inertia about the centre of mass of rocker
+            let I3 = l3_squared * m3 * 0.08333333333333333;
+            let l2_minus_l3 = l2 - l3;
+            let l2_minus_l3_squared = l2_minus_l3 * l2_minus_l3;
+            let t1 = l1 * 0.17364817766693041;
+            let X_0 = l4 - t1;
+            let X_0_squared = X_0 * X_0;
+            let t2 = l1 * 0.984807753012208;
+            let D_0 = X_0_squared + t2 * t2;
+            let l2_plus_l3 = l2 + l3;
+            let l2_plus_l3_squared = l2_plus_l3 * l2_plus_l3;
+            let t3 = (l2_minus_l3_squared - D_0) * (l2_plus_l3_squared - D_0);
+            let l2_squared_l3_squared = l2_squared * l3_squared;
+            let t4 = t3 * 0.25 / l2_squared_l3_squared;
+            // distance of the centre of mass from the first end of crank
+            let r1 = l1 * 0.5;
+            // constant of the inertia
+            let C0 = I1 + m1 * (r1 * r1) + l1_squared * m2;
+            // distance of the centre of mass from the first end of coupler
+            let r2 = l2 * 0.5;
+            // constant of the inertia
+            let C1 = I2 + m2 * (r2 * r2);
+            let t5 = l2_squared - l3_squared;
+            let κ_0 = (t5 + D_0) * 0.5 / D_0;
+            let t6 = t2 * κ_0;
+            // which way the loop closes: as drawn
+            let s = (X_0 / l3 + t2 / l2).if_positive(1.0, -1.0);
+            let η_0 = s * (-t3).sqrt() * 0.5 / D_0;
+            let X_0_η_0 = X_0 * η_0;
+            let s3_0 = (t2 - t6 + X_0_η_0) / l3;
+            let X_0_κ_0 = X_0 * κ_0;
+            let t7 = t2 * η_0;
+            let t8 = (X_0 - X_0_κ_0 - t7) / l3;
+            let c3_0 = -t8;
+            // angle of `rocker` as assembled
+            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5707963267948966);
+            let t9 = (1.3962634015954636 - φ3_0).sin();
+            let s2_0 = (X_0_η_0 - t6) / l2;
+            let c2_0 = (X_0_κ_0 + t7) / l2;
+            // angle of `coupler` as assembled
+            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.0);
+            let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
+            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            // distance of the centre of mass from the first end of rocker
+            let r3 = l3 * 0.5;
+            // constant of the inertia
+            let C2 = I3 + m3 * (r3 * r3);
+            let t11 = 1.3962634015954636 - φ2_0;
+            let (t12, t13) = t11.sin_cos();
+            let t14 = C0 + l1_squared * C1 * (t9 * t9) / (l2_squared * t10)
+                + l1_squared * C2 * (t12 * t12) / (l3_squared * t10);
+            // constant of the inertia
+            let C3 = l1 * m2 * r2 * 2.0;
+            let t15 = l1_squared * 0.9698463103929541;
+            let t16 = t5 + X_0_squared + t15;
+            let t17 = X_0_squared + t15;
+            let t18 = X_0 * t16 * 0.5 / t17;
+            let t19 = (X_0_squared - l2_minus_l3_squared + t15)
+                * (X_0_squared - l2_plus_l3_squared + t15);
+            let t20 = (-t19).sqrt();
+            let t21 = l1 * s * t20 * 0.492403876506104 / t17;
+            let t22 = t18 + t21;
+            let t23 = l1 * t16 * 0.492403876506104 / t17;
+            let t24 = s * X_0 * t20 * 0.5 / t17;
+            let t25 = t23 - t24;
+            let t26 = (-(s2_0 * t22 / l2 + c2_0 * t25 / l2))
+                .atan2(c2_0 * t22 / l2 - s2_0 * t25 / l2);
+            let t27 = t24 - t23 + t2;
+            let t28 = t1 - l4 + t18 + t21;
+            let t29 = (-(t8 * t27 / l3 + s3_0 * t28 / l3))
+                .atan2(s3_0 * t27 / l3 - t8 * t28 / l3);
+            let sqrt_e = e.sqrt();
+            let sqrt_e_squared = sqrt_e * sqrt_e;
+            let t30 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
+                * 0.07073553026306459;
+            // stiffness of a hinge
+            let k = t30 / r.sqrt();
+            if !(1e300 - E.abs() >= 0.0) {
+                return Err(FAILURES[0].diagnostic(&[E]));
+            }
+            if !(1e300 - b.abs() >= 0.0) {
+                return Err(FAILURES[1].diagnostic(&[b]));
+            }
+            if !(1e300 - e.abs() >= 0.0) {
+                return Err(FAILURES[2].diagnostic(&[e]));
+            }
+            if !(1e300 - r.abs() >= 0.0) {
+                return Err(FAILURES[3].diagnostic(&[r]));
+            }
+            if !(1e300 - l1.abs() >= 0.0) {
+                return Err(FAILURES[4].diagnostic(&[l1]));
+            }
+            if !(1e300 - l2.abs() >= 0.0) {
+                return Err(FAILURES[5].diagnostic(&[l2]));
+            }
+            if !(1e300 - l3.abs() >= 0.0) {
+                return Err(FAILURES[6].diagnostic(&[l3]));
+            }
+            if !(1e300 - l4.abs() >= 0.0) {
+                return Err(FAILURES[7].diagnostic(&[l4]));
+            }
+            if !(1e300 - m1.abs() >= 0.0) {
+                return Err(FAILURES[8].diagnostic(&[m1]));
+            }
+            if !(1e300 - m2.abs() >= 0.0) {
+                return Err(FAILURES[9].diagnostic(&[m2]));
+            }
+            if !(1e300 - m3.abs() >= 0.0) {
+                return Err(FAILURES[10].diagnostic(&[m3]));
+            }
+            if !(l1 > 0.0) {
+                return Err(FAILURES[11].diagnostic(&[l1]));
+            }
+            if !(m1 >= 0.0) {
+                return Err(FAILURES[12].diagnostic(&[m1]));
+            }
+            if !(I1 >= 0.0) {
+                return Err(FAILURES[13].diagnostic(&[I1]));
+            }
+            if !(l2 > 0.0) {
+                return Err(FAILURES[14].diagnostic(&[l2]));
+            }
+            if !(m2 >= 0.0) {
+                return Err(FAILURES[15].diagnostic(&[m2]));
+            }
+            if !(I2 >= 0.0) {
+                return Err(FAILURES[16].diagnostic(&[I2]));
+            }
+            if !(l3 > 0.0) {
+                return Err(FAILURES[17].diagnostic(&[l3]));
+            }
+            if !(m3 >= 0.0) {
+                return Err(FAILURES[18].diagnostic(&[m3]));
+            }
+            if !(I3 >= 0.0) {
+                return Err(FAILURES[19].diagnostic(&[I3]));
+            }
+            if !(-t4 >= 0.0) {
+                let sqrt_D_0 = D_0.sqrt();
+                return Err(
+                    FAILURES[20]
+                        .diagnostic(
+                            &[
+                                (sqrt_D_0 - l2 - l3).larger(l2_minus_l3.abs() - sqrt_D_0),
+                                (l3 - sqrt_D_0).abs(),
+                                l3 + sqrt_D_0,
+                                1.3962634015954636,
+                            ],
+                        ),
+                );
+            }
+            if !(-(t4 + 1e-12) > 0.0) {
+                let sqrt_D_0_2 = D_0.sqrt();
+                return Err(
+                    FAILURES[21]
+                        .diagnostic(
+                            &[
+                                (sqrt_D_0_2 - l2 - l3)
+                                    .larger(l2_minus_l3.abs() - sqrt_D_0_2),
+                                (l3 - sqrt_D_0_2).abs(),
+                                l3 + sqrt_D_0_2,
+                                1.3962634015954636,
+                            ],
+                        ),
+                );
+            }
+            if !(t14 - l1 * C3 * t9 * t13 / (l2 * sin_φ2_0_minus_φ3_0) > 0.0) {
+                return Err(FAILURES[22].diagnostic(&[]));
+            }
+            let prepared = Prepared {
+                start_states: [1.3962634015954636, 20.0],
+                start_discretes: [t26.unwrap_to(0.0), t29.unwrap_to(0.0)],
+                l1,
+                l2,
+                l3,
+                l4,
+                m2,
+                C0,
+                constant1: t5,
+                l2_minus_l3_squared,
+                l2_plus_l3_squared,
+                half_s: s * 0.5,
+                per_l2: l2.recip(),
+                per_l3: l3.recip(),
+                l1_per_l2: l1 / l2,
+                r2,
+                C1,
+                l1_per_l3: l1 / l3,
+                C2,
+                C3,
+                k,
+                c2_0,
+                s2_0,
+                constant2: t8,
+                s3_0,
+                m1_r1: m1 * r1,
+                m3_r3: m3 * r3,
+                two_C1: C1 * 2.0,
+                two_C2: C2 * 2.0,
+                two_C3: C3 * 2.0,
+                half_k: k * 0.5,
+                constant3: 0.25 / l2_squared_l3_squared,
+            };
+            check_start(prepared.states(), &prepared.start_states)?;
+            check_start(prepared.discretes(), &prepared.start_discretes)?;
+            Ok(prepared)
+        }
+    }
+    /// Everything that depends on params alone, as the functions of this module need it.
+    #[derive(Clone, Debug)]
+    pub struct Prepared<T> {
+        /// Continuous state at the start.
+        pub start_states: [T; 2],
+        /// Discrete state at the start.
+        pub start_discretes: [T; 2],
+        /// `l1`
+        pub l1: T,
+        /// `l2`
+        pub l2: T,
+        /// `l3`
+        pub l3: T,
+        /// `l4`
+        pub l4: T,
+        /// `m2`
+        pub m2: T,
+        /// `C0` constant of the inertia
+        pub C0: T,
+        /// `l2 * l2 - l3 * l3`
+        pub constant1: T,
+        /// `(l2 - l3) * (l2 - l3)`
+        pub l2_minus_l3_squared: T,
+        /// `(l2 + l3) * (l2 + l3)`
+        pub l2_plus_l3_squared: T,
+        /// `0.5 * s`
+        pub half_s: T,
+        /// `1.0 / l2`
+        pub per_l2: T,
+        /// `1.0 / l3`
+        pub per_l3: T,
+        /// `l1 / l2`
+        pub l1_per_l2: T,
+        /// `r2` distance of the centre of mass from the first end of coupler
+        pub r2: T,
+        /// `C1` constant of the inertia
+        pub C1: T,
+        /// `l1 / l3`
+        pub l1_per_l3: T,
+        /// `C2` constant of the inertia
+        pub C2: T,
+        /// `C3` constant of the inertia
+        pub C3: T,
+        /// `k` stiffness of a hinge
+        pub k: T,
+        /// `c2⁰`
+        pub c2_0: T,
+        /// `s2⁰`
+        pub s2_0: T,
+        /// `(X⁰ - X⁰ * κ⁰ - 0.984807753012208 * l1 * η⁰) / l3`
+        pub constant2: T,
+        /// `s3⁰`
+        pub s3_0: T,
+        /// `m1 * r1`
+        pub m1_r1: T,
+        /// `m3 * r3`
+        pub m3_r3: T,
+        /// `2.0 * C1`
+        pub two_C1: T,
+        /// `2.0 * C2`
+        pub two_C2: T,
+        /// `2.0 * C3`
+        pub two_C3: T,
+        /// `0.5 * k`
+        pub half_k: T,
+        /// `0.25 / (l2 * l2 * l3 * l3)`
+        pub constant3: T,
+    }
+    impl<T: Copy> Prepared<T> {
+        /// The same with every number turned into another: for dual numbers or lanes.
+        pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
+            Prepared {
+                start_states: self.start_states.map(&turn),
+                start_discretes: self.start_discretes.map(&turn),
+                l1: turn(self.l1),
+                l2: turn(self.l2),
+                l3: turn(self.l3),
+                l4: turn(self.l4),
+                m2: turn(self.m2),
+                C0: turn(self.C0),
+                constant1: turn(self.constant1),
+                l2_minus_l3_squared: turn(self.l2_minus_l3_squared),
+                l2_plus_l3_squared: turn(self.l2_plus_l3_squared),
+                half_s: turn(self.half_s),
+                per_l2: turn(self.per_l2),
+                per_l3: turn(self.per_l3),
+                l1_per_l2: turn(self.l1_per_l2),
+                r2: turn(self.r2),
+                C1: turn(self.C1),
+                l1_per_l3: turn(self.l1_per_l3),
+                C2: turn(self.C2),
+                C3: turn(self.C3),
+                k: turn(self.k),
+                c2_0: turn(self.c2_0),
+                s2_0: turn(self.s2_0),
+                constant2: turn(self.constant2),
+                s3_0: turn(self.s3_0),
+                m1_r1: turn(self.m1_r1),
+                m3_r3: turn(self.m3_r3),
+                two_C1: turn(self.two_C1),
+                two_C2: turn(self.two_C2),
+                two_C3: turn(self.two_C3),
+                half_k: turn(self.half_k),
+                constant3: turn(self.constant3),
+            }
+        }
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_cos_φ1 = p.l1 * cos_φ1;
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - l1_cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = (s2 * t2 + c2 * s3).recip();
+        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        // inertia
+        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3)
+            - p.C3 * (t4 * cos_φ1_minus_φ2);
+        let t5 = t4 + 1.0;
+        let t6 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t6.unwrap_to(turn_coupler);
+        let t7 = p.k * (t5 * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0));
+        let t8 = t4 + ω3;
+        let t9 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
+        let t10 = p.k * (φ1 - 1.3962634015954636) - t7
+            - p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
+        // springs
+        let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
+        let t11 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 - p.r2 * (t4 * c2))
+            - p.m3_r3 * (ω3 * t2);
+        // gravity
+        let dP_g_dφ1 = t11 * 9.81;
+        // potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
+        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
+        let t12 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+            - p.l2 * (t4 * t8 * cos_φ2_minus_φ3);
+        let t13 = p.per_l2 * (t3 * t12);
+        let t14 = p.l3 * (ω3 * t8 * cos_φ2_minus_φ3)
+            - p.l1 * (cos_φ1_minus_φ2 * t5);
+        let t15 = p.two_C1 * (t4 * t13) - p.two_C2 * (ω3 * (p.per_l3 * (t3 * t14)))
+            - p.C3 * (t13 * cos_φ1_minus_φ2);
+        // its derivative
+        let dA_dφ1 = t15 + p.C3 * (sin_φ1_minus_φ2 * t4 * t5);
+        // ── state ──
+        let ddφ1 = -(A.recip() * (dP_dφ1 + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
+        dx[0] = dφ1;
+        dx[1] = ddφ1;
+    }
+    /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
+    #[inline(always)]
+    pub fn jacobian<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_cos_φ1 = p.l1 * cos_φ1;
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - l1_cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = s2 * t2 + c2 * s3;
+        let t4 = t3.recip();
+        let t5 = sin_φ1 * t2 + cos_φ1 * s3;
+        let t6 = p.l1_per_l2 * (t4 * t5);
+        let t7 = t6 * t6;
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t4 * sin_φ1_minus_φ2);
+        let ω3_squared = ω3 * ω3;
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        let t8 = t6 * cos_φ1_minus_φ2;
+        // inertia
+        let A = p.C0 + p.C1 * t7 + p.C2 * ω3_squared - p.C3 * t8;
+        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
+        let ω3_minus_one = ω3 - 1.0;
+        let t9 = t6 + ω3;
+        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
+        let t10 = p.l1 * (cos_φ1_minus_φ3 * ω3_minus_one)
+            - p.l2 * (t6 * t9 * cos_φ2_minus_φ3);
+        let t11 = p.per_l2 * (t4 * t10);
+        let t12 = t6 + 1.0;
+        let t13 = p.l3 * (ω3 * t9 * cos_φ2_minus_φ3)
+            - p.l1 * (cos_φ1_minus_φ2 * t12);
+        let t14 = p.per_l3 * (t4 * t13);
+        let t15 = t11 * cos_φ1_minus_φ2;
+        let t16 = sin_φ1_minus_φ2 * t6;
+        // its derivative
+        let dA_dφ1 = p.two_C1 * (t6 * t11) - p.two_C2 * (ω3 * t14) - p.C3 * t15
+            + p.C3 * (t16 * t12);
+        let t17 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t17.unwrap_to(turn_coupler);
+        let t18 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t19 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t19.unwrap_to(turn_rocker);
+        let t20 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
+        let t21 = p.k * (φ1 - 1.3962634015954636) - p.k * (t12 * t18)
+            - p.k * (t9 * t20);
+        // springs
+        let dP_s_dφ1 = t21 + p.k * (φ3_minus_φ3_0 * ω3);
+        let t22 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 - p.r2 * (t6 * c2))
+            - p.m3_r3 * (ω3 * t2);
+        // gravity
+        let dP_g_dφ1 = t22 * 9.81;
+        // potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        let per_A = A.recip();
+        let t23 = t12 * t12;
+        let t24 = t14 - t11;
+        let t25 = t9 * t9;
+        let t26 = p.k - p.k * (t11 * t18) + p.k * t23 + p.k * (t20 * t24) + p.k * t25;
+        let ddP_s_dφ1_dφ1 = t26 + p.k * ω3_squared - p.k * (φ3_minus_φ3_0 * t14);
+        let t27 = p.m1_r1 * sin_φ1
+            + p.m2 * (l1_sin_φ1 + p.r2 * (t11 * c2) + p.r2 * (t7 * s2));
+        let ddP_dφ1_dφ1 = ddP_s_dφ1_dφ1
+            - (t27 - p.m3_r3 * (t14 * t2) + p.m3_r3 * (ω3_squared * s3)) * 9.81;
+        let t28 = (t3 * t3).recip() * t9 * cos_φ2_minus_φ3;
+        let t29 = p.l2 * (t6 * cos_φ2_minus_φ3 * t24)
+            - p.l1 * (t5 * (ω3_minus_one * ω3_minus_one));
+        let t30 = t9 * cos_φ2_minus_φ3;
+        let t31 = t29 - p.l1 * (cos_φ1_minus_φ3 * t14) - p.l2 * (t30 * t11)
+            + p.l2 * (t3 * t6 * t25);
+        let dω2_prime_dφ1 = p.per_l2 * (t28 * t10) - p.per_l2 * (t4 * t31);
+        let t32 = p.l1 * (sin_φ1_minus_φ2 * t23) - p.l1 * t15 - p.l3 * (t30 * t14);
+        let t33 = t32 - p.l3 * (ω3 * cos_φ2_minus_φ3 * t24) - p.l3 * (t3 * ω3 * t25);
+        let dω3_prime_dφ1 = p.per_l3 * (t28 * t13) - p.per_l3 * (t4 * t33);
+        let t34 = (p.C1 * (t11 * t11) - p.C1 * (t6 * dω2_prime_dφ1)) * 2.0
+            + (p.C2 * (t14 * t14) + p.C2 * (ω3 * dω3_prime_dφ1)) * 2.0;
+        let t35 = t34 + p.C3 * (cos_φ1_minus_φ2 * dω2_prime_dφ1)
+            + p.two_C3 * (sin_φ1_minus_φ2 * t11 * t12);
+        let ddA_dφ1_dφ1 = t35 + p.C3 * (t16 * t11) + p.C3 * (t8 * t23);
+        // ── state ──
+        let dφ1_squared = dφ1 * dφ1;
+        let dddφ1_dφ1 = (A * A).recip() * dA_dφ1
+            * (dP_dφ1 + dA_dφ1 * 0.5 * dφ1_squared)
+            - per_A * (ddP_dφ1_dφ1 + ddA_dφ1_dφ1 * 0.5 * dφ1_squared);
+        let dddφ1_ddφ1 = -(per_A * dA_dφ1 * dφ1);
+        result[1] = T::from_f64(1.0);
+        result[2] = dddφ1_dφ1;
+        result[3] = dddφ1_ddφ1;
+    }
+    /// The model's outputs.
+    #[inline(always)]
+    pub fn outputs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 3],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
+        let t3 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let B_torque = -(p.k * t3);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t4 = p.m1_r1 * sin_φ1 + p.m2 * (l1_sin_φ1 + p.r2 * s2) + p.m3_r3 * s3;
+        let t5 = φ1 - 1.3962634015954636;
+        let t6 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let t7 = (p.s3_0 * t6 - p.constant2 * s3).atan2(p.constant2 * t6 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t7.unwrap_to(turn_rocker);
+        let t8 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
+        let t9 = t4 * 9.81 + p.half_k * (t5 * t5) + p.half_k * (t3 * t3)
+            + p.half_k * (t8 * t8);
+        let t10 = (s2 * t6 + c2 * s3).recip();
+        let t11 = p.l1_per_l2 * (t10 * (sin_φ1 * t6 + cos_φ1 * s3));
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t10 * sin_φ1_minus_φ2);
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        // inertia
+        let A = p.C0 + p.C1 * (t11 * t11) + p.C2 * (ω3 * ω3)
+            - p.C3 * (t11 * cos_φ1_minus_φ2);
+        // ── state ──
+        let energy_total = t9 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0)
+            + A * 0.5 * (dφ1 * dφ1);
+        result[0] = dφ1;
+        result[1] = B_torque;
+        result[2] = energy_total;
+    }
+    /// Kinetic and potential energy in J, dissipated and supplied power in W.
+    #[inline(always)]
+    pub fn energy<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t3 = (s2 * t2 + c2 * s3).recip();
+        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        // inertia
+        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3)
+            - p.C3 * (t4 * cos_φ1_minus_φ2);
+        let t5 = p.m1_r1 * sin_φ1 + p.m2 * (l1_sin_φ1 + p.r2 * s2) + p.m3_r3 * s3;
+        let t6 = φ1 - 1.3962634015954636;
+        let t7 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t7.unwrap_to(turn_coupler);
+        let t8 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t9 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
+        let t10 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
+        let t11 = t5 * 9.81 + p.half_k * (t6 * t6) + p.half_k * (t8 * t8)
+            + p.half_k * (t10 * t10);
+        result[0] = A * 0.5 * (dφ1 * dφ1);
+        result[1] = t11 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
+        result[2] = T::from_f64(0.0);
+        result[3] = T::from_f64(0.0);
+    }
+    /// Event functions: each event happens where its function rises through zero.
+    #[inline(always)]
+    pub fn events<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 0],
+    ) {}
+    /// For each loop a number that is positive where it closes and zero at a dead point.
+    #[inline(always)]
+    pub fn closures<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 1],
+    ) {
+        let φ1 = x[0];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let t1 = p.constant3
+            * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
+        result[0] = -t1;
+    }
+    /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn accept<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        result: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        // vector that the two links that close crank–coupler–rocker span
+        let X = p.l4 - p.l1 * cos_φ1;
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        // its length squared
+        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let per_D = D.recip();
+        let t1 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_s * t1;
+        let X_η = X * η;
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
+        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let X_κ = X * κ;
+        let l1_sin_φ1_η = l1_sin_φ1 * η;
+        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
+        let t3 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
+        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let t4 = (p.s3_0 * t3 - p.constant2 * s3).atan2(p.constant2 * t3 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_rocker);
+        result[0] = φ2_minus_φ2_0;
+        result[1] = φ3_minus_φ3_0;
+    }
+    /// Time in s of each drive's next kink.
+    #[inline(always)]
+    pub fn next_kinks<T: Real>(d: &[T; 2], p: &Prepared<T>, result: &mut [T; 0]) {}
+    /// The discrete state after drive `index` passed its kink; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn pass_kink<T: Real>(
+        index: usize,
+        d: &[T; 2],
+        p: &Prepared<T>,
+        result: &mut [T; 2],
+    ) {}
+    /// The state after event `index`; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn pass_event<T: Real>(
+        index: usize,
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        x_after: &mut [T; 2],
+        d_after: &mut [T; 2],
+    ) {}
+    impl System for Prepared<f64> {
+        fn states(&self) -> &[Variable] {
+            STATES
+        }
+        fn discretes(&self) -> &[Variable] {
+            DISCRETES
+        }
+        fn inputs(&self) -> &[Variable] {
+            INPUTS
+        }
+        fn output_variables(&self) -> &[Variable] {
+            OUTPUTS
+        }
+        fn start(&self, x: &mut [f64], d: &mut [f64]) {
+            x.copy_from_slice(&self.start_states);
+            d.copy_from_slice(&self.start_discretes);
+        }
+        #[inline]
+        fn rhs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], dx: &mut [f64]) {
+            rhs(t, array(x), array(d), array(u), self, array_mut(dx));
+        }
+        fn jacobian(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], result: &mut [f64]) {
+            result.fill(0.0);
+            jacobian(t, array(x), array(d), array(u), self, array_mut(result));
+        }
+        fn outputs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], result: &mut [f64]) {
+            outputs(t, array(x), array(d), array(u), self, array_mut(result));
+        }
+        fn energy(&self, t: f64, x: &[f64], d: &[f64], u: &[f64]) -> Energy {
+            let mut result = [0.0; 4];
+            energy(t, array(x), array(d), array(u), self, &mut result);
+            let [kinetic, potential, dissipated_power, supplied_power] = result;
+            Energy {
+                kinetic,
+                potential,
+                dissipated_power,
+                supplied_power,
+            }
+        }
+        fn kink_count(&self) -> usize {
+            0
+        }
+        fn next_kinks(&self, d: &[f64], times: &mut [f64]) {
+            next_kinks(array(d), self, array_mut(times));
+        }
+        fn pass_kink(&self, index: usize, d: &mut [f64]) {
+            let before = *array(d);
+            pass_kink(index, &before, self, array_mut(d));
+        }
+        fn event_count(&self) -> usize {
+            0
+        }
+        fn events(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
+            events(t, array(x), array(d), array(u), self, array_mut(values));
+        }
+        fn event_name(&self, index: usize) -> &str {
+            const NAMES: [&str; 0] = [];
+            NAMES[index]
+        }
+        fn pass_event(
+            &self,
+            index: usize,
+            t: f64,
+            x: &mut [f64],
+            d: &mut [f64],
+            u: &[f64],
+        ) -> EventAction {
+            let (x_before, d_before) = (*array(x), *array(d));
+            let (x, d) = (array_mut(x), array_mut(d));
+            pass_event(index, t, &x_before, &d_before, array(u), self, x, d);
+            match index {
+                _ => EventAction::Continue,
+            }
+        }
+        fn accept(&self, t: f64, x: &[f64], u: &[f64], d: &mut [f64]) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), self, array_mut(d));
+        }
+        fn turning(&self) -> &[usize] {
+            &TURNING
+        }
+        fn loop_count(&self) -> usize {
+            1
+        }
+        fn closures(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
+            closures(t, array(x), array(d), array(u), self, array_mut(values));
+        }
+        fn loop_name(&self, index: usize) -> &str {
+            const NAMES: [&str; 1] = ["crank–coupler–rocker"];
+            NAMES[index]
+        }
+    }
+    /// Every quantity with a name: params, states, discrete states, inputs, outputs.
+    pub static VARIABLES: [Variable; 18] = [
+        Variable {
+            name: Cow::Borrowed("E"),
+            unit: Cow::Borrowed("Pa"),
+            meaning: Cow::Borrowed("elastic modulus"),
+            causality: Causality::Parameter,
+            start: Some(7.2e10),
+        },
+        Variable {
+            name: Cow::Borrowed("b"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("width, out of plane"),
+            causality: Causality::Parameter,
+            start: Some(0.003),
+        },
+        Variable {
+            name: Cow::Borrowed("e"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("hinge web thickness"),
+            causality: Causality::Parameter,
+            start: Some(0.0015),
+        },
+        Variable {
+            name: Cow::Borrowed("r"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("hinge radius"),
+            causality: Causality::Parameter,
+            start: Some(0.001),
+        },
+        Variable {
+            name: Cow::Borrowed("l1"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0102),
+        },
+        Variable {
+            name: Cow::Borrowed("l2"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0232),
+        },
+        Variable {
+            name: Cow::Borrowed("l3"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.01),
+        },
+        Variable {
+            name: Cow::Borrowed("l4"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("length of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.025),
+        },
+        Variable {
+            name: Cow::Borrowed("m1"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0002568),
+        },
+        Variable {
+            name: Cow::Borrowed("m2"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0005877),
+        },
+        Variable {
+            name: Cow::Borrowed("m3"),
+            unit: Cow::Borrowed("kg"),
+            meaning: Cow::Borrowed("mass of a link"),
+            causality: Causality::Parameter,
+            start: Some(0.0002529),
+        },
+        Variable {
+            name: Cow::Borrowed("crank.angle"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed("angle of `crank`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("crank.rate"),
+            unit: Cow::Borrowed("rad/s"),
+            meaning: Cow::Borrowed("angular rate of `crank`"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("coupler.turn"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed(
+                "angle of `coupler` from the assembled one at the last accepted step",
+            ),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("rocker.turn"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed(
+                "angle of `rocker` from the assembled one at the last accepted step",
+            ),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("rate"),
+            unit: Cow::Borrowed("1/s"),
+            meaning: Cow::Borrowed("rate of the crank"),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("torque"),
+            unit: Cow::Borrowed("N*m"),
+            meaning: Cow::Borrowed("torque of the hinge between crank and coupler"),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("energy_total"),
+            unit: Cow::Borrowed("N*m"),
+            meaning: Cow::Borrowed("kinetic and potential energy: constant"),
+            causality: Causality::Output,
+            start: None,
+        },
+    ];
+    static PARAMS: &[Variable] = VARIABLES.split_at(0).1.split_at(11).0;
+    static STATES: &[Variable] = VARIABLES.split_at(11).1.split_at(2).0;
+    static DISCRETES: &[Variable] = VARIABLES.split_at(13).1.split_at(2).0;
+    static INPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(0).0;
+    static OUTPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(3).0;
+    static TURNING: [usize; 2] = [0, 1];
+    static FAILURES: [Failure; 23] = [
+        Failure {
+            message: Cow::Borrowed("the param `E` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 8,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param E  = 72 GPa                                          \"elastic modulus\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `b` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 9,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param b  = 3 mm                                            \"width, out of plane\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `e` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 10,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param e  = 1.5 mm                                          \"hinge web thickness\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `r` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 11,
+                column: 7,
+                width: 1,
+                excerpt: Cow::Borrowed(
+                    "param r  = 1 mm                                            \"hinge radius\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l1` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 12,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l2` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 12,
+                column: 21,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l3` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 12,
+                column: 35,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `l4` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 12,
+                column: 47,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `m1` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 13,
+                column: 7,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g          \"mass of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `m2` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 13,
+                column: 22,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g          \"mass of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the param `m3` is {0}"),
+            hint: Some(Cow::Borrowed("it must be a finite number")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 13,
+                column: 37,
+                width: 2,
+                excerpt: Cow::Borrowed(
+                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g          \"mass of a link\"",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Number]),
+        },
+        Failure {
+            message: Cow::Borrowed("the length of `crank` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 19,
+                column: 6,
+                width: 5,
+                excerpt: Cow::Borrowed(
+                    "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `crank` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 19,
+                column: 64,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the moment of inertia of `crank` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 19,
+                column: 64,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the length of `coupler` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 20,
+                column: 6,
+                width: 7,
+                excerpt: Cow::Borrowed(
+                    "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `coupler` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 20,
+                column: 64,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the moment of inertia of `coupler` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 20,
+                column: 64,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the length of `rocker` is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 21,
+                column: 6,
+                width: 6,
+                excerpt: Cow::Borrowed(
+                    "link rocker  from O2 to D { length = l3, angle = 90 deg,       mass = m3, symbol = φ3 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("the mass of `rocker` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 21,
+                column: 64,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "link rocker  from O2 to D { length = l3, angle = 90 deg,       mass = m3, symbol = φ3 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the moment of inertia of `rocker` is {0}"),
+            hint: Some(Cow::Borrowed("it must not be below zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 21,
+                column: 64,
+                width: 4,
+                excerpt: Cow::Borrowed(
+                    "link rocker  from O2 to D { length = l3, angle = 90 deg,       mass = m3, symbol = φ3 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
+        },
+        Failure {
+            message: Cow::Borrowed(
+                "the loop crank–coupler–rocker cannot close: at `crank` angle {3} the gap is {0}",
+            ),
+            hint: Some(
+                Cow::Borrowed(
+                    "`coupler` would need to be {1} to {2} long between its joints, or another link another length or angle",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 20,
+                column: 6,
+                width: 7,
+                excerpt: Cow::Borrowed(
+                    "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+        },
+        Failure {
+            message: Cow::Borrowed(
+                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+            ),
+            hint: Some(
+                Cow::Borrowed(
+                    "assemble it in another configuration: change an angle or a length",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 20,
+                column: 6,
+                width: 7,
+                excerpt: Cow::Borrowed(
+                    "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+        },
+        Failure {
+            message: Cow::Borrowed("`crank` can move but has no mass"),
+            hint: Some(
+                Cow::Borrowed(
+                    "give it a mass above zero, or join it to a body that has one",
+                ),
+            ),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 19,
+                column: 6,
+                width: 5,
+                excerpt: Cow::Borrowed(
+                    "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
+                ),
+            }),
+            units: Cow::Borrowed(&[]),
+        },
+    ];
+    /// The equations of motion in plain text.
+    pub const EQUATIONS: &str = r#"four_bar
+════════
+
+The flexure mechanism of the double-rocker actuator alone: a four-bar of slender bars with
+flexure hinges, released with the crank turning.
+
+A check case: its energy is constant, and its motion is known to ten digits from an independent
+integration in absolute coordinates.
+
+Loop crank–coupler–rocker
+─────────────────────────
+
+  l1 e^(i φ1) + l2 e^(i φ2) - l3 e^(i φ3) - l4 = 0
+
+  X   = l4 - l1 cos(φ1)
+  Y   = -l1 sin(φ1)
+  D   = X² + Y²
+  κ   = (l2² - l3² + D) / (2 D)
+  η   = s sqrt(-(D - (l2 - l3)²) (D - (l2 + l3)²)) / (2 D)
+  c2  = (X κ - Y η) / l2
+  s2  = (Y κ + X η) / l2
+  c3  = -(X - X κ + Y η) / l3
+  s3  = (Y κ - Y + X η) / l3
+  ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
+  ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
+  ω2' = (l1 (ω3 - 1) cos(φ1 - φ3) - l2 ω2 (ω2 - ω3) cos(φ2 - φ3)) / (l2 sin(φ2 - φ3))
+  ω3' = (l1 (ω2 - 1) cos(φ1 - φ2) - l3 ω3 (ω2 - ω3) cos(φ2 - φ3)) / (l3 sin(φ2 - φ3))
+
+Constants of the inertia
+────────────────────────
+
+  C0 = I1 + m1 r1² + m2 l1²
+  C1 = I2 + m2 r2²
+  C2 = I3 + m3 r3²
+  C3 = 2 l1 m2 r2
+
+Equation of motion of `crank`
+─────────────────────────────
+
+  A(φ1)    = C0 + C1 ω2² + C2 ω3² + C3 ω2 cos(φ1 - φ2)
+  ∂A/∂φ1   = 2 C1 ω2 ω2' + 2 C2 ω3 ω3' + C3 ω2' cos(φ1 - φ2) + C3 ω2 (ω2 - 1) sin(φ1 - φ2)
+  ∂P_s/∂φ1 = k (φ1 - φ1⁰)
+           + k (ω2 - 1) (φ2 - φ2⁰ - φ1 + φ1⁰)
+           + k (ω2 - ω3) (φ2 - φ2⁰ - (φ3 - φ3⁰))
+           + k ω3 (φ3 - φ3⁰)
+  ∂P_g/∂φ1 = g (m1 r1 cos(φ1) + m2 (l1 cos(φ1) + r2 ω2 cos(φ2)) + m3 r3 ω3 cos(φ3))
+  ∂P/∂φ1   = ∂P_s/∂φ1 + ∂P_g/∂φ1
+
+  A(φ1) φ̈1 + ½ ∂A/∂φ1 φ̇1² + ∂P/∂φ1 = 0
+
+Constants
+─────────
+
+  k   = 2 E b e^(5/2) / (9 π sqrt(r))
+        stiffness of a hinge
+  r1  = ½ l1          distance of the centre of mass from the first end of crank
+  I1  = 1/12 m1 l1²   moment of inertia about the centre of mass of crank
+  r2  = ½ l2          distance of the centre of mass from the first end of coupler
+  I2  = 1/12 m2 l2²   moment of inertia about the centre of mass of coupler
+  r3  = ½ l3          distance of the centre of mass from the first end of rocker
+  I3  = 1/12 m3 l3²   moment of inertia about the centre of mass of rocker
+  φ1⁰ = 4/9 π         angle of `crank` as assembled
+  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
+        which way the loop closes: as drawn
+  X⁰  = l4 - l1 cos(φ1⁰)
+  Y⁰  = -l1 sin(φ1⁰)
+  g   = 9.81          acceleration of gravity
+"#;
+    /// The equations of motion as a LaTeX document.
+    pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{amsmath}
+\usepackage[margin=2cm]{geometry}
+\allowdisplaybreaks
+\begin{document}
+
+\section*{four\_bar}
+The flexure mechanism of the double-rocker actuator alone: a four-bar of slender bars with
+flexure hinges, released with the crank turning.
+
+A check case: its energy is constant, and its motion is known to ten digits from an independent
+integration in absolute coordinates.
+
+\subsection*{Loop crank–coupler–rocker}
+\begin{align*}
+& l_{1}\, e^{i \varphi_{1}} + l_{2}\, e^{i \varphi_{2}} - l_{3}\, e^{i \varphi_{3}} - l_{4} = 0 \\
+X &= l_{4} - l_{1} \cos \varphi_{1} \\
+Y &= -l_{1} \sin \varphi_{1} \\
+D &= X^{2} + Y^{2} \\
+\kappa &= \frac{l_{2}^{2} - l_{3}^{2} + D}{2 \, D} \\
+\eta &= \frac{s}{2 \, D} \, \sqrt{-\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(D - \left(l_{2} + l_{3}\right)^{2}\right)} \\
+\cos \varphi_{2} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
+\sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
+\cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
+\sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
+\omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) - l_{2} \, \omega_{2} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega'_{3} &= \frac{l_{1} \left(\omega_{2} - 1\right) \cos\left(\varphi_{1} - \varphi_{2}\right) - l_{3} \, \omega_{3} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)}
+\end{align*}
+
+\subsection*{Constants of the inertia}
+\begin{align*}
+C_{0} &= I_{1} + m_{1} \, r_{1}^{2} + m_{2} \, l_{1}^{2} \\
+C_{1} &= I_{2} + m_{2} \, r_{2}^{2} \\
+C_{2} &= I_{3} + m_{3} \, r_{3}^{2} \\
+C_{3} &= 2 \, l_{1} \, m_{2} \, r_{2}
+\end{align*}
+
+\subsection*{Equation of motion of \texttt{crank}}
+\begin{align*}
+A(\varphi_{1}) &= C_{0} + C_{1} \, \omega_{2}^{2} + C_{2} \, \omega_{3}^{2} + C_{3} \, \omega_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
+\frac{\partial A}{\partial \varphi_{1}} &= 2 \, C_{1} \, \omega_{2} \, \omega'_{2} \\
+&\quad {}+ 2 \, C_{2} \, \omega_{3} \, \omega'_{3} \\
+&\quad {}+ C_{3} \, \omega'_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
+&\quad {}+ C_{3} \, \omega_{2} \left(\omega_{2} - 1\right) \sin\left(\varphi_{1} - \varphi_{2}\right) \\
+\frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
+&\quad {}+ k \left(\omega_{2} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
+&\quad {}+ k \left(\omega_{2} - \omega_{3}\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{3} - \varphi_{3}^0\right)\right) \\
+&\quad {}+ k \, \omega_{3} \left(\varphi_{3} - \varphi_{3}^0\right) \\
+\frac{\partial P_g}{\partial \varphi_{1}} &= g \left(m_{1} \, r_{1} \cos \varphi_{1} + m_{2} \left(l_{1} \cos \varphi_{1} + r_{2} \, \omega_{2} \cos \varphi_{2}\right) + m_{3} \, r_{3} \, \omega_{3} \cos \varphi_{3}\right) \\
+\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}} \\
+& A(\varphi_{1})\,\ddot{\varphi}_{1} + \tfrac12 \frac{\partial A}{\partial \varphi_{1}}\,\dot{\varphi}_{1}^2 + \frac{\partial P}{\partial \varphi_{1}} = 0
+\end{align*}
+
+\subsection*{Constants}
+\begin{align*}
+k &= \frac{2 \, E \, b \, e^{5/2}}{9 \, \pi \, \sqrt{r}} && \text{stiffness of a hinge} \\
+r_{1} &= \frac{1}{2} \, l_{1} && \text{distance of the centre of mass from the first end of crank} \\
+I_{1} &= \frac{1}{12} \, m_{1} \, l_{1}^{2} && \text{moment of inertia about the centre of mass of crank} \\
+r_{2} &= \frac{1}{2} \, l_{2} && \text{distance of the centre of mass from the first end of coupler} \\
+I_{2} &= \frac{1}{12} \, m_{2} \, l_{2}^{2} && \text{moment of inertia about the centre of mass of coupler} \\
+r_{3} &= \frac{1}{2} \, l_{3} && \text{distance of the centre of mass from the first end of rocker} \\
+I_{3} &= \frac{1}{12} \, m_{3} \, l_{3}^{2} && \text{moment of inertia about the centre of mass of rocker} \\
+\varphi_{1}^0 &= \frac{4}{9} \, \pi && \text{angle of \texttt{crank} as assembled} \\
+s &= \begin{cases} 1 & \text{if } \frac{{X}^0}{l_{3}} > \frac{{Y}^0}{l_{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
+{X}^0 &= l_{4} - l_{1} \cos \varphi_{1}^0 \\
+{Y}^0 &= -l_{1} \sin \varphi_{1}^0 \\
+g &= 9.81 && \text{acceleration of gravity}
+\end{align*}
+
+\end{document}
+"#;
+}

@@ -1,0 +1,589 @@
+/// Simulator of the model `slider_crank`, generated from its equations of motion.
+///
+/// A crank with a rod.
+#[allow(
+    non_snake_case,
+    non_upper_case_globals,
+    unused,
+    clippy::all,
+    clippy::pedantic,
+    rustdoc::all
+)]
+pub mod slider_crank {
+    use std::borrow::Cow;
+    use ::flexure_runtime::checks::{check_params, check_start};
+    use ::flexure_runtime::diagnostic::{Diagnostic, Site};
+    use ::flexure_runtime::failure::{Failure, Unit};
+    use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::newton;
+    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    /// What may be set: all in SI units, angles in rad.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Params {
+        /// the "r" of the crank; 0.1 by default
+        pub r: f64,
+        /// the "l" of the crank; 0.3 by default
+        pub l: f64,
+        /// the "type" of the crank; 0.5 by default
+        pub type_: f64,
+        /// the "E" of the crank; 5.0 by default
+        pub E: f64,
+        /// the "e" of the crank; 20.0 by default
+        pub e: f64,
+        /// the "β" of the crank; 0.2 by default
+        pub β: f64,
+    }
+    impl Default for Params {
+        fn default() -> Self {
+            Self {
+                r: 0.1,
+                l: 0.3,
+                type_: 0.5,
+                E: 5.0,
+                e: 20.0,
+                β: 0.2,
+            }
+        }
+    }
+    impl Params {
+        /// The set `long`: its values, all others by default. a longer rod
+        pub fn long() -> Self {
+            Self { l: 1.0, ..Self::default() }
+        }
+        /// The values in the order of [`VARIABLES`].
+        pub fn values(&self) -> [f64; 6] {
+            [self.r, self.l, self.type_, self.E, self.e, self.β]
+        }
+        /// Closes the loops and computes everything that depends on params alone.
+        ///
+        /// # Errors
+        /// What is wrong with the parameter set, in the words of `flexure check`.
+        pub fn prepare(&self) -> Result<Prepared<f64>, Diagnostic> {
+            check_params(PARAMS, &self.values())?;
+            let r = self.r;
+            let l = self.l;
+            let type_ = self.type_;
+            let E = self.E;
+            let e = self.e;
+            let β = self.β;
+            let r_squared = r * r;
+            let l_squared = l * l;
+            let (sin_β, cos_β) = β.sin_cos();
+            // inertia
+            let J = r_squared * type_;
+            if !(l - r > 0.0) {
+                return Err(FAILURES[0].diagnostic(&[l, r]));
+            }
+            let mut solution = [β];
+            let solved = newton::solve(
+                &mut solution,
+                &[1.0],
+                &mut |unknowns, residuals, derivatives| {
+                    let θ = unknowns[0];
+                    let (sin_θ, cos_θ) = θ.sin_cos();
+                    let lifted = θ + sin_θ * 0.5;
+                    let dlifted_dθ = cos_θ * 0.5 + 1.0;
+                    residuals[0] = lifted - β;
+                    derivatives[0] = dlifted_dθ;
+                },
+            );
+            let [θ] = solution;
+            if solved.is_err() {
+                return Err(FAILURES[1].diagnostic(&[β]));
+            }
+            let sin_θ_2 = θ.sin();
+            let t1 = (-(r * sin_θ_2 / l))
+                .atan2((1.0 - r_squared * (sin_θ_2 * sin_θ_2) / l_squared).sqrt());
+            let prepared = Prepared {
+                start_states: [θ, 0.0],
+                start_discretes: [0.0, t1],
+                r,
+                l,
+                type_,
+                E,
+                e,
+                θ,
+                r_squared_per_l_squared: r_squared / l_squared,
+                r_per_l: r / l,
+                cos_β,
+                sin_β,
+                r_type: r * type_,
+                per_J: J.recip(),
+                half_J: J * 0.5,
+                half_E: E * 0.5,
+                per_e: e.recip(),
+            };
+            check_start(prepared.states(), &prepared.start_states)?;
+            check_start(prepared.discretes(), &prepared.start_discretes)?;
+            Ok(prepared)
+        }
+    }
+    /// Everything that depends on params alone, as the functions of this module need it.
+    #[derive(Clone, Debug)]
+    pub struct Prepared<T> {
+        /// Continuous state at the start.
+        pub start_states: [T; 2],
+        /// Discrete state at the start.
+        pub start_discretes: [T; 2],
+        /// `r`
+        pub r: T,
+        /// `l`
+        pub l: T,
+        /// `type`
+        pub type_: T,
+        /// `E`
+        pub E: T,
+        /// `e`
+        pub e: T,
+        /// `θ`
+        pub θ: T,
+        /// `r * r / (l * l)`
+        pub r_squared_per_l_squared: T,
+        /// `r / l`
+        pub r_per_l: T,
+        /// `cos(β)`
+        pub cos_β: T,
+        /// `sin(β)`
+        pub sin_β: T,
+        /// `r * type`
+        pub r_type: T,
+        /// `1.0 / J`
+        pub per_J: T,
+        /// `0.5 * J`
+        pub half_J: T,
+        /// `0.5 * E`
+        pub half_E: T,
+        /// `1.0 / e`
+        pub per_e: T,
+    }
+    impl<T: Copy> Prepared<T> {
+        /// The same with every number turned into another: for dual numbers or lanes.
+        pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
+            Prepared {
+                start_states: self.start_states.map(&turn),
+                start_discretes: self.start_discretes.map(&turn),
+                r: turn(self.r),
+                l: turn(self.l),
+                type_: turn(self.type_),
+                E: turn(self.E),
+                e: turn(self.e),
+                θ: turn(self.θ),
+                r_squared_per_l_squared: turn(self.r_squared_per_l_squared),
+                r_per_l: turn(self.r_per_l),
+                cos_β: turn(self.cos_β),
+                sin_β: turn(self.sin_β),
+                r_type: turn(self.r_type),
+                per_J: turn(self.per_J),
+                half_J: turn(self.half_J),
+                half_E: turn(self.half_E),
+                per_e: turn(self.per_e),
+            }
+        }
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let ω = x[1];
+        let n = d[0];
+        let u_2 = u[0];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let cos_φ2 = (T::from_f64(1.0)
+            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
+            .sqrt();
+        let r_per_l_sin_φ1 = p.r_per_l * sin_φ1;
+        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 - sin_φ1 * r_per_l_sin_φ1;
+        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 + cos_φ1 * r_per_l_sin_φ1;
+        let t1 = p.r_type
+            * (p.cos_β * cos_φ1_minus_φ2 + p.sin_β * sin_φ1_minus_φ2);
+        let t2 = p.type_
+            * (((φ1 + p.θ) * 0.5).sin() * ((p.θ - φ1) * 0.5).sin() * 2.0);
+        // ── state ──
+        let t3 = p.per_J * (t1 + p.E * (φ1 - p.θ) - t2 - u_2 + p.E * (n - p.e * t));
+        dx[0] = ω;
+        dx[1] = -t3;
+    }
+    /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
+    #[inline(always)]
+    pub fn jacobian<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let cos_φ2 = (T::from_f64(1.0)
+            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
+            .sqrt();
+        let r_per_l_sin_φ1 = p.r_per_l * sin_φ1;
+        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 - sin_φ1 * r_per_l_sin_φ1;
+        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 + cos_φ1 * r_per_l_sin_φ1;
+        let t1 = (p.sin_β * cos_φ1_minus_φ2 - p.cos_β * sin_φ1_minus_φ2)
+            * (p.r_per_l * (cos_φ2.recip() * cos_φ1) + 1.0);
+        result[1] = T::from_f64(1.0);
+        result[2] = -(p.per_J * (p.E + p.r_type * t1 + p.type_ * sin_φ1));
+    }
+    /// The model's outputs.
+    #[inline(always)]
+    pub fn outputs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        result: &mut [T; 1],
+    ) {
+        let φ1 = x[0];
+        // ── configuration ──
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let cos_φ2 = (T::from_f64(1.0)
+            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
+            .sqrt();
+        result[0] = p.r * cos_φ1 + p.l * cos_φ2;
+    }
+    /// Kinetic and potential energy in J, dissipated and supplied power in W.
+    #[inline(always)]
+    pub fn energy<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        result: &mut [T; 4],
+    ) {
+        let φ1 = x[0];
+        let ω = x[1];
+        let u_2 = u[0];
+        // ── configuration ──
+        let φ1_minus_θ = φ1 - p.θ;
+        result[0] = p.half_J * (ω * ω);
+        result[1] = p.half_E * (φ1_minus_θ * φ1_minus_θ);
+        result[2] = T::from_f64(0.0);
+        result[3] = u_2 * ω;
+    }
+    /// Event functions: each event happens where its function rises through zero.
+    #[inline(always)]
+    pub fn events<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        result: &mut [T; 1],
+    ) {
+        let φ1 = x[0];
+        result[0] = φ1 - 3.0;
+    }
+    /// For each loop a number that is positive where it closes and zero at a dead point.
+    #[inline(always)]
+    pub fn closures<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        result: &mut [T; 1],
+    ) {
+        let φ1 = x[0];
+        // ── configuration ──
+        let sin_φ1 = φ1.sin();
+        result[0] = T::from_f64(1.0) - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1);
+    }
+    /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn accept<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        result: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let φ2_reference = d[1];
+        // ── configuration ──
+        let sin_φ1 = φ1.sin();
+        let sin_φ2 = -(p.r_per_l * sin_φ1);
+        let cos_φ2 = (T::from_f64(1.0)
+            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
+            .sqrt();
+        // angle of the rod
+        let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
+        result[1] = φ2;
+    }
+    /// Time in s of each drive's next kink.
+    #[inline(always)]
+    pub fn next_kinks<T: Real>(d: &[T; 2], p: &Prepared<T>, result: &mut [T; 1]) {
+        let n = d[0];
+        result[0] = p.per_e * (n + 1.0);
+    }
+    /// The discrete state after drive `index` passed its kink; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn pass_kink<T: Real>(
+        index: usize,
+        d: &[T; 2],
+        p: &Prepared<T>,
+        result: &mut [T; 2],
+    ) {
+        match index {
+            0 => {
+                let n = d[0];
+                result[0] = n + 1.0;
+            }
+            _ => {}
+        }
+    }
+    /// The state after event `index`; entries that stay are left as they are.
+    #[inline(always)]
+    pub fn pass_event<T: Real>(
+        index: usize,
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        x_after: &mut [T; 2],
+        d_after: &mut [T; 2],
+    ) {
+        match index {
+            0 => {
+                let ω = x[1];
+                x_after[1] = -ω;
+            }
+            _ => {}
+        }
+    }
+    impl System for Prepared<f64> {
+        fn states(&self) -> &[Variable] {
+            STATES
+        }
+        fn discretes(&self) -> &[Variable] {
+            DISCRETES
+        }
+        fn inputs(&self) -> &[Variable] {
+            INPUTS
+        }
+        fn output_variables(&self) -> &[Variable] {
+            OUTPUTS
+        }
+        fn start(&self, x: &mut [f64], d: &mut [f64]) {
+            x.copy_from_slice(&self.start_states);
+            d.copy_from_slice(&self.start_discretes);
+        }
+        #[inline]
+        fn rhs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], dx: &mut [f64]) {
+            rhs(t, array(x), array(d), array(u), self, array_mut(dx));
+        }
+        fn jacobian(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], result: &mut [f64]) {
+            result.fill(0.0);
+            jacobian(t, array(x), array(d), array(u), self, array_mut(result));
+        }
+        fn outputs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], result: &mut [f64]) {
+            outputs(t, array(x), array(d), array(u), self, array_mut(result));
+        }
+        fn energy(&self, t: f64, x: &[f64], d: &[f64], u: &[f64]) -> Energy {
+            let mut result = [0.0; 4];
+            energy(t, array(x), array(d), array(u), self, &mut result);
+            let [kinetic, potential, dissipated_power, supplied_power] = result;
+            Energy {
+                kinetic,
+                potential,
+                dissipated_power,
+                supplied_power,
+            }
+        }
+        fn kink_count(&self) -> usize {
+            1
+        }
+        fn next_kinks(&self, d: &[f64], times: &mut [f64]) {
+            next_kinks(array(d), self, array_mut(times));
+        }
+        fn pass_kink(&self, index: usize, d: &mut [f64]) {
+            let before = *array(d);
+            pass_kink(index, &before, self, array_mut(d));
+        }
+        fn event_count(&self) -> usize {
+            1
+        }
+        fn events(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
+            events(t, array(x), array(d), array(u), self, array_mut(values));
+        }
+        fn event_name(&self, index: usize) -> &str {
+            const NAMES: [&str; 1] = ["crank too far"];
+            NAMES[index]
+        }
+        fn pass_event(
+            &self,
+            index: usize,
+            t: f64,
+            x: &mut [f64],
+            d: &mut [f64],
+            u: &[f64],
+        ) -> EventAction {
+            let (x_before, d_before) = (*array(x), *array(d));
+            let (x, d) = (array_mut(x), array_mut(d));
+            pass_event(index, t, &x_before, &d_before, array(u), self, x, d);
+            match index {
+                0 => EventAction::Stop(Cow::Borrowed("the crank left its range")),
+                _ => EventAction::Continue,
+            }
+        }
+        fn accept(&self, t: f64, x: &[f64], u: &[f64], d: &mut [f64]) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), self, array_mut(d));
+        }
+        fn turning(&self) -> &[usize] {
+            &TURNING
+        }
+        fn loop_count(&self) -> usize {
+            1
+        }
+        fn closures(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
+            closures(t, array(x), array(d), array(u), self, array_mut(values));
+        }
+        fn loop_name(&self, index: usize) -> &str {
+            const NAMES: [&str; 1] = ["crank–rod"];
+            NAMES[index]
+        }
+    }
+    /// Every quantity with a name: params, states, discrete states, inputs, outputs.
+    pub static VARIABLES: [Variable; 12] = [
+        Variable {
+            name: Cow::Borrowed("r"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("the \"r\" of the crank"),
+            causality: Causality::Parameter,
+            start: Some(0.1),
+        },
+        Variable {
+            name: Cow::Borrowed("l"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("the \"l\" of the crank"),
+            causality: Causality::Parameter,
+            start: Some(0.3),
+        },
+        Variable {
+            name: Cow::Borrowed("type"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("the \"type\" of the crank"),
+            causality: Causality::Parameter,
+            start: Some(0.5),
+        },
+        Variable {
+            name: Cow::Borrowed("E"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("the \"E\" of the crank"),
+            causality: Causality::Parameter,
+            start: Some(5.0),
+        },
+        Variable {
+            name: Cow::Borrowed("e"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("the \"e\" of the crank"),
+            causality: Causality::Parameter,
+            start: Some(20.0),
+        },
+        Variable {
+            name: Cow::Borrowed("β"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("the \"β\" of the crank"),
+            causality: Causality::Parameter,
+            start: Some(0.2),
+        },
+        Variable {
+            name: Cow::Borrowed("crank.angle"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed("angle of the crank"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("crank.rate"),
+            unit: Cow::Borrowed("rad/s"),
+            meaning: Cow::Borrowed("its rate"),
+            causality: Causality::State,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("drive.cycle"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("periods completed"),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("rod.reference"),
+            unit: Cow::Borrowed("rad"),
+            meaning: Cow::Borrowed("angle of the rod after the last step"),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("motor"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("torque on the crank"),
+            causality: Causality::Input,
+            start: Some(0.0),
+        },
+        Variable {
+            name: Cow::Borrowed("slider.x"),
+            unit: Cow::Borrowed("m"),
+            meaning: Cow::Borrowed("where the rod ends"),
+            causality: Causality::Output,
+            start: None,
+        },
+    ];
+    static PARAMS: &[Variable] = VARIABLES.split_at(0).1.split_at(6).0;
+    static STATES: &[Variable] = VARIABLES.split_at(6).1.split_at(2).0;
+    static DISCRETES: &[Variable] = VARIABLES.split_at(8).1.split_at(2).0;
+    static INPUTS: &[Variable] = VARIABLES.split_at(10).1.split_at(1).0;
+    static OUTPUTS: &[Variable] = VARIABLES.split_at(11).1.split_at(1).0;
+    static TURNING: [usize; 1] = [1];
+    static FAILURES: [Failure; 2] = [
+        Failure {
+            message: Cow::Borrowed("the rod of {0} is shorter than the crank"),
+            hint: Some(Cow::Borrowed("make it longer than {1}")),
+            site: None,
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre]),
+        },
+        Failure {
+            message: Cow::Borrowed("no relaxed angle for {0}"),
+            hint: None,
+            site: None,
+            units: Cow::Borrowed(&[Unit::Degree]),
+        },
+    ];
+    /// The equations of motion in plain text.
+    pub const EQUATIONS: &str = r#"slider_crank
+════════════
+
+A crank with a rod.
+"#;
+    /// The equations of motion as a LaTeX document.
+    pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{amsmath}
+\usepackage[margin=2cm]{geometry}
+\allowdisplaybreaks
+\begin{document}
+
+\section*{slider\_crank}
+A crank with a rod.
+
+\end{document}
+"#;
+}
