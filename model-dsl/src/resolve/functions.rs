@@ -58,13 +58,12 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("lugre", "the `friction` of a contact"),
 ];
 
-/// Whether a name is that of a function or of another thing that is called.
+/// Whether a name is that of a function of expressions. Waveforms, sections and laws are called
+/// only where nothing else can stand, so a slide may be called `table`.
 pub(super) fn is_function(name: &str) -> bool {
     name == "sqrt"
         || name == CIRCULAR_HINGE.name
         || FUNCTIONS.iter().any(|(known, _, _)| *known == name)
-        || ELSEWHERE.iter().any(|(known, _)| *known == name)
-        || super::drives::is_waveform(name)
 }
 
 fn names() -> Vec<String> {
