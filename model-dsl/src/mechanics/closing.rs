@@ -6,7 +6,7 @@
 //! are counted from the assembled configuration, continuous over many turns by a reference in the
 //! discrete state. Its rates follow from the loop's term-by-term derivative, which is linear.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::equations::{Direction, Discrete, Line, Loop, Partial, Shown, ShownUnit, Solve};
 use crate::model::{BodyId, BodyKind, Guess, Link};
@@ -155,6 +155,7 @@ impl Derivation<'_> {
         self.values(
             closed, &triangle, &name, number, assembled, symbols, shifts, &mut lines,
         );
+        lines.push(self.angles_line(symbols));
         self.loop_rates(closed, &triangle, &names, &mut lines);
         let title = format!("Loop {name}");
         self.section(&title, lines);
@@ -829,6 +830,8 @@ impl Derivation<'_> {
                 Definition::Solve(_) => None,
             })
             .collect();
+        // A symbol may be mapped to itself, so what leads to one is known by its symbols alone.
+        let mut touched: HashSet<Symbol> = map.keys().copied().collect();
         let mut stack: Vec<(Symbol, bool)> = self
             .g
             .symbols_in(&[expr])
@@ -844,11 +847,12 @@ impl Derivation<'_> {
                 continue;
             };
             if ready {
-                let replaced = self.g.substitute(value, map);
-                let result = if replaced == value {
-                    self.g.of(symbol)
+                let inner = self.g.symbols_in(&[value]);
+                let result = if inner.iter().any(|s| touched.contains(s)) {
+                    touched.insert(symbol);
+                    self.g.substitute(value, map)
                 } else {
-                    replaced
+                    self.g.of(symbol)
                 };
                 map.insert(symbol, result);
             } else {
@@ -878,6 +882,38 @@ impl Derivation<'_> {
                 exact: true,
                 span: self.model.bodies[body].span,
             },
+        }
+    }
+
+    /// `φ2 = atan2(s2, c2), φ3 = atan2(s3, c3)`, where no jump by a turn is meant.
+    fn angles_line(&self, symbols: [Symbol; 2]) -> Line {
+        let (mut text, mut latex) = (Vec::new(), Vec::new());
+        for direction in self
+            .directions
+            .iter()
+            .filter(|d| symbols.contains(&d.angle))
+        {
+            let angle = direction.angle;
+            let [sin, cos] = [direction.sin, direction.cos];
+            text.push(format!(
+                "{} = atan2({}, {})",
+                self.g.symbol_text(angle),
+                self.g.text(sin),
+                self.g.text(cos)
+            ));
+            latex.push(format!(
+                "{} = \\operatorname{{atan2}}({}, {})",
+                self.g.symbol_latex(angle),
+                self.g.latex(sin),
+                self.g.latex(cos)
+            ));
+        }
+        Line::Written {
+            text: format!("{}, continuous over many turns", text.join(", ")),
+            latex: format!(
+                "{} \\quad\\text{{(continuous over many turns)}}",
+                latex.join(",\\quad ")
+            ),
         }
     }
 
