@@ -4,7 +4,7 @@
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::equations::{Discrete, Equations, Event, Failure, Kink, Line, Output, Shown, ShownUnit};
-use crate::model::BodyKind;
+use crate::model::{BodyKind, EnergyKind, Measure};
 use crate::symbolic::{Expr, Function};
 
 use super::inertia::Inertia;
@@ -171,6 +171,7 @@ impl Derivation<'_> {
                 value: output.value,
             })
             .collect();
+        self.warn_of_unbooked_jumps();
         let summary = self.summary(inertia);
         let drawing = self.drawing();
         self.constants_section();
@@ -237,6 +238,25 @@ impl Derivation<'_> {
             );
             self.check(entry, false, failure);
         }
+    }
+
+    /// A drive that jumps changes the energy of its spring at once, which no rate can tell.
+    fn warn_of_unbooked_jumps(&mut self) {
+        let asked = self
+            .model
+            .measures
+            .iter()
+            .find(|used| used.measure == Measure::Energy(EnergyKind::Supplied));
+        let (Some(used), Some(kink)) = (asked, self.kinks.iter().find(|kink| kink.jumps)) else {
+            return;
+        };
+        let warning = Diagnostic::warning(format!(
+            "`{}` does not count what the drive `{}` supplies where it jumps",
+            used.name, kink.name
+        ))
+        .at(self.model.source.site(used.span))
+        .hint("ask for the energy of the whole run instead: it is accounted at jumps too");
+        self.warnings.push(warning);
     }
 
     fn stops(&mut self) {

@@ -60,6 +60,7 @@ impl Derivation<'_> {
             supplied_power: self.g.sum(&laws.supplied),
         };
         let states = self.states(laws, &energy);
+        self.book_events(&states, energy.potential);
         Motion {
             states,
             energy,
@@ -473,6 +474,39 @@ impl Derivation<'_> {
             solution[i] = self.g.sum(&terms);
         }
         solution
+    }
+
+    /// Energy that an event takes out of springs and bristles is heat, for models that ask for
+    /// `energy.dissipated`.
+    fn book_events(&mut self, states: &[State], potential: Expr) {
+        let heat = self
+            .model
+            .measures
+            .iter()
+            .find(|used| used.measure == Measure::Energy(EnergyKind::Dissipated));
+        let Some(heat) = heat.map(|used| used.symbol) else {
+            return;
+        };
+        let Some(index) = states.iter().position(|state| state.symbol == heat) else {
+            return;
+        };
+        for event in 0..self.events.len() {
+            let updates = self.events[event].clone();
+            let mut map = std::collections::HashMap::new();
+            for (state, value) in updates.state_updates {
+                map.insert(states[state].symbol, value);
+            }
+            for (discrete, value) in updates.discrete_updates {
+                map.insert(self.discretes[discrete].symbol, value);
+            }
+            let after = self.expand_with(potential, &mut map);
+            let lost = self.g.sub(potential, after);
+            if !self.g.is_zero(lost) {
+                let so_far = self.g.of(heat);
+                let value = self.g.add(so_far, lost);
+                self.events[event].state_updates.push((index, value));
+            }
+        }
     }
 
     /// States with rates: positions and rates of coordinates, internal states, energies asked for.

@@ -148,6 +148,13 @@ impl Derivation<'_> {
                 values,
             });
         }
+        for note in &self.model.notes {
+            facts.push(Fact {
+                subject: "assumed".to_owned(),
+                words: format!("`{}` {}", note.subject, note.words),
+                values: Vec::new(),
+            });
+        }
         for kink in self.kinks.iter().filter(|kink| kink.jumps) {
             facts.push(Fact {
                 subject: "note".to_owned(),
