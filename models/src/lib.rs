@@ -1,1 +1,20 @@
-//! Placeholder.
+//! The models of this repository, each compiled by the macro to a module of its own.
+//!
+//! ```
+//! use flexure_models::pendulum::Params;
+//!
+//! let design = Params { length: 0.25, ..Params::default() };
+//! let model = design.prepare()?;
+//! let run = flexure_runtime::simulate::simulate(&model).until(0.1).rtol(1e-9).run()?;
+//! assert!(run.column("bar.angle").last() < run.column("bar.angle").max());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#![deny(warnings)]
+#![forbid(unsafe_code)]
+
+flexure_macros::include_model!(::flexure_runtime, "double_rocker.flex");
+flexure_macros::include_model!(::flexure_runtime, "four_bar.flex");
+flexure_macros::include_model!(::flexure_runtime, "lugre_mass.flex");
+flexure_macros::include_model!(::flexure_runtime, "msdm.flex");
+flexure_macros::include_model!(::flexure_runtime, "pendulum.flex");
