@@ -9,8 +9,10 @@
 //! Every step goes on after an error, so that a file's mistakes are reported together. What could
 //! not be resolved keeps its name, so that one mistake does not give two messages.
 
+mod arithmetic;
 mod calls;
 mod contacts;
+mod dimensions;
 mod drives;
 mod entries;
 mod expression;

@@ -10,8 +10,12 @@
 
 mod grammar;
 mod parse;
+mod problem;
+mod reader;
+mod row;
 mod split;
 pub mod tree;
 
-pub(crate) use parse::listed;
-pub use parse::{Problem, parse};
+pub use parse::parse;
+pub use problem::Problem;
+pub(crate) use problem::listed;

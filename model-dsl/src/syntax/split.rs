@@ -7,7 +7,8 @@
 
 use crate::source::Span;
 
-use super::parse::{KEYWORDS, Problem};
+use super::parse::KEYWORDS;
+use super::problem::Problem;
 
 /// Deepest nesting of brackets and conditionals.
 pub(super) const DEEPEST: usize = 64;

@@ -1,0 +1,5 @@
+// Links that form a rigid triangle.
+model faulty
+ground O = (0 mm, 0 mm), P = (30 mm, 0 mm)
+link a from O to B { length = 20 mm, angle = 45 deg, mass = 1 g }
+link b from P to B { length = 20 mm, angle = 135 deg, mass = 1 g }
