@@ -230,8 +230,26 @@ impl Printer<'_> {
                 };
                 factors.iter().find(takes).map(|(factor, _)| *factor)
             });
+        // Else into a difference: -(a - b) c is (b - a) c.
+        let taker = taker.or_else(|| {
+            let difference = factors
+                .iter()
+                .rev()
+                .find(|(factor, exponent)| exponent.is_one() && self.is_balanced(*factor));
+            difference.map(|(factor, _)| *factor)
+        });
         turned.extend(taker);
         (taker.is_none(), turned)
+    }
+
+    /// Whether the factor is a sum with as many terms subtracted as added.
+    fn is_balanced(&self, factor: Expr) -> bool {
+        let Node::Sum { constant, terms } = self.graph.node(factor) else {
+            return false;
+        };
+        let numbers = || terms.iter().map(|(_, k)| k).chain([constant]);
+        let added = numbers().filter(|number| number.is_positive()).count();
+        added == numbers().filter(|number| number.is_negative()).count()
     }
 
     /// Whether a minus sign can go into the factor: `-sin(a - b)` is `sin(b - a)`.
