@@ -17,6 +17,7 @@
 //! `cli`.
 
 mod assembled;
+mod macros;
 mod model;
 
 pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
@@ -25,3 +26,9 @@ pub use flexure_model_dsl as model_dsl;
 pub use flexure_runtime as runtime;
 pub use flexure_runtime::simulate::{Run, simulate};
 pub use model::{Design, Diagnostics, Model, quantity, split_assignment};
+
+/// What [`include_model!`] and [`model!`] expand to; not for use by name.
+#[doc(hidden)]
+pub mod __macros {
+    pub use flexure_macros::{include_model, model};
+}
