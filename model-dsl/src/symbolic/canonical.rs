@@ -15,7 +15,7 @@ use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
 use super::{Expr, Function, Graph, Node, Rational};
 
 /// Constants are folded only while they stay this small, so that no input can make them explode.
-const FOLD_LIMIT_BITS: u64 = 4096;
+const FOLD_LIMIT_BITS: u64 = 2304;
 
 /// Bits that are kept of a number beyond that size.
 const ROUNDED_BITS: i64 = 512;
@@ -90,12 +90,11 @@ impl Graph {
             }
             collect(&mut collected, *factor, exponent.clone());
         }
-        if total.is_zero() {
-            return self.zero();
-        }
         // Products open up under whole powers; numbers join the coefficient.
         let mut done = None;
-        while let Some((factor, exponent)) = next_below(&collected, done, |_, _| true) {
+        while !total.is_zero()
+            && let Some((factor, exponent)) = next_below(&collected, done, |_, _| true)
+        {
             done = Some(factor);
             if exponent.is_zero() {
                 collected.remove(&factor);
@@ -137,9 +136,8 @@ impl Graph {
             }
         }
         // (a - b)(c - d) is also (b - a)(d - c): the sign of each sum goes to the coefficient.
-        let is_plain = collected.len() == 1
-            && total.abs().is_one()
-            && collected.values().all(One::is_one);
+        let is_plain =
+            collected.len() == 1 && total.abs().is_one() && collected.values().all(One::is_one);
         if !is_plain {
             let turned: Vec<(Expr, Rational)> = collected
                 .iter()
@@ -159,7 +157,7 @@ impl Graph {
             }
             collected.retain(|_, exponent| !exponent.is_zero());
         }
-        if collected.is_empty() {
+        if collected.is_empty() || total.is_zero() {
             return self.number(total);
         }
         if collected.len() == 1

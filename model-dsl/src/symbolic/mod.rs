@@ -31,3 +31,6 @@ pub use print::{Style, Term};
 
 /// An exact rational number of any size.
 pub type Rational = num_rational::BigRational;
+
+#[cfg(test)]
+mod tests;
