@@ -34,6 +34,8 @@ enum Form {
     Rust,
     /// The instructions that `simulate` runs
     Tape,
+    /// The right-hand side as a graph for Graphviz, stage by stage
+    Dot,
 }
 
 /// Does it.
@@ -53,7 +55,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
             };
             codegen::rust_source(model.program(), texts, &quote!(::flexure::runtime))
         }
-        Form::Tape => codegen::listing(model.program()),
+        Form::Tape => codegen::tape_listing(model.tape()),
+        Form::Dot => codegen::dot(model.program()),
     };
     match file {
         Some(file) => file.finish_with(&text),

@@ -1,6 +1,7 @@
 //! A run as a picture or a page.
 
 use flexure::codegen::report;
+use flexure::model_dsl::units::Mark;
 use flexure::runtime::simulate::{Breakdown, Ending, Summary};
 
 use super::Failure;
@@ -10,6 +11,9 @@ use super::plot::{figure, scale};
 use super::recording::Recorded;
 use super::settings::Chosen;
 use super::simulate::Arguments;
+
+/// Angles above this, in rad, are read in degrees.
+const LARGE_ANGLE: f64 = 0.1;
 
 /// Everything that a picture shows.
 pub struct Portrait<'a> {
@@ -142,13 +146,20 @@ impl Portrait<'_> {
 }
 
 fn params(chosen: &Chosen) -> Vec<Row> {
-    let params = chosen.design.model().params();
-    params
+    let model = chosen.design.model();
+    let dimensions = model.equations().params.iter().map(|param| param.dimension);
+    model
+        .params()
         .iter()
+        .zip(dimensions)
         .zip(chosen.design.values())
-        .map(|(param, &value)| Row {
+        .map(|((param, dimension), &value)| Row {
             name: param.name.to_string(),
-            value: scale::with_unit(value, &param.unit, 10),
+            value: match dimension.mark() {
+                Mark::Frequency => scale::with_unit(value, "Hz", 10),
+                Mark::AngularRate => scale::with_unit(value, "rad/s", 10),
+                Mark::Plain => scale::with_unit(value, &param.unit, 10),
+            },
             meaning: param.meaning.to_string(),
             changed: param.start != Some(value),
         })
@@ -161,10 +172,17 @@ fn results(recorded: &Recorded) -> Vec<[String; 6]> {
     columns
         .map(|(heading, sum)| {
             let size = sum.least.abs().max(sum.greatest.abs());
-            let unit = scale::display_unit(&heading.unit, size);
+            let unit = if heading.unit == "rad" && size > LARGE_ANGLE {
+                scale::degrees()
+            } else {
+                scale::display_unit(&heading.unit, size)
+            };
             let cell = |value: f64| {
                 let number = scale::number(value / unit.factor, 6);
-                format!("{number} {}", unit.name).trim_end().to_owned()
+                match unit.name.as_str() {
+                    "" | "°" => number + &unit.name,
+                    name => format!("{number} {name}"),
+                }
             };
             [
                 heading.name.to_string(),

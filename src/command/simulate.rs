@@ -29,16 +29,16 @@ pub struct Arguments {
     #[command(flatten)]
     pub settings: Settings,
     /// End of the run, as in 20ms
-    #[arg(long, value_name = "T", value_parser = non_negative_time)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = non_negative_time)]
     pub until: f64,
     /// Fixed steps of this length (classical Runge–Kutta) instead of adaptive ones
-    #[arg(long, value_name = "H", value_parser = time, conflicts_with = "rtol")]
+    #[arg(long, value_name = "H", allow_hyphen_values = true, value_parser = time, conflicts_with = "rtol")]
     pub dt: Option<f64>,
     /// Relative tolerance of the adaptive steps
-    #[arg(long, value_name = "R", value_parser = tolerance, default_value = "1e-8")]
+    #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = tolerance, default_value = "1e-8")]
     pub rtol: f64,
     /// Time between rows; 0 for a row per step of the integrator [default: 1/2000 of the run]
-    #[arg(long, value_name = "DT", value_parser = non_negative_time)]
+    #[arg(long, value_name = "DT", allow_hyphen_values = true, value_parser = non_negative_time)]
     every: Option<f64>,
     /// Add columns of energy: kinetic, potential, dissipated, supplied, and their balance
     #[arg(long)]

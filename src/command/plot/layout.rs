@@ -2,7 +2,7 @@
 //! (slides that only their motion matters of, ground at the far end of a spring) is placed beside
 //! what it is joined to, in the direction in which the joint acts.
 
-use flexure::{Places, Point};
+use flexure::{PlacedContact, Places, Point};
 
 /// A mechanism in which everything has a place, in m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,8 +15,8 @@ pub struct Layout {
     pub marks: Vec<(String, Point, Option<bool>)>,
     /// Springs and stacks.
     pub springs: Vec<SpringAt>,
-    /// Contacts: name, place, direction of sliding.
-    pub contacts: Vec<(String, Point, Point)>,
+    /// Contacts.
+    pub contacts: Vec<ContactAt>,
     /// Whether lengths in the picture mean anything: some two points have places in the model.
     pub to_scale: bool,
     /// Whether something stands where it fits, not where the model says.
@@ -34,6 +34,19 @@ pub struct SlideAt {
     pub along: Point,
     /// What it touches lies in this direction, so that its rail lies in the other.
     pub touches: Option<Point>,
+}
+
+/// A contact in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactAt {
+    /// Its name.
+    pub name: String,
+    /// Where the bodies touch; for a slide on the ground the slide's place.
+    pub at: Point,
+    /// Direction of sliding.
+    pub along: Point,
+    /// The slide that touches ground, by position among the slides: they touch at its rail.
+    pub rail_of: Option<usize>,
 }
 
 /// A spring in the picture.
@@ -81,7 +94,7 @@ pub fn layout(places: &Places) -> Layout {
         slides: slides(places, &at),
         marks: places.marks.clone(),
         springs: springs(places, size, &at),
-        contacts: contacts(places, size, &at),
+        contacts: contacts(places, &at),
         to_scale,
         fitted,
     }
@@ -128,7 +141,7 @@ fn settle(places: &Places, size: f64, at: &mut [Option<Point>]) -> bool {
 }
 
 /// Unit vector of the normal force on a contact's first end: downwards if the model has none.
-fn normal(contact: &flexure::PlacedContact) -> Point {
+fn normal(contact: &PlacedContact) -> Point {
     contact.normal.unwrap_or_else(|| {
         let [x, y] = contact.along;
         if x < 0.0 { [-y, x] } else { [y, -x] }
@@ -140,7 +153,9 @@ fn slides(places: &Places, at: &[Option<Point>]) -> Vec<SlideAt> {
         places.contacts.iter().find_map(|contact| {
             let [first, second] = &contact.ends;
             let [x, y] = normal(contact);
-            if second.0 == body {
+            if on_ground(contact) {
+                None
+            } else if second.0 == body {
                 Some([x, y])
             } else if first.0 == body {
                 Some([-x, -y])
@@ -160,6 +175,14 @@ fn slides(places: &Places, at: &[Option<Point>]) -> Vec<SlideAt> {
             touches: touches(name),
         })
         .collect()
+}
+
+/// Whether a contact is between a body and ground without a place.
+fn on_ground(contact: &PlacedContact) -> bool {
+    contact
+        .ends
+        .iter()
+        .any(|end| end.0 == "ground" && end.1.is_none())
 }
 
 fn springs(places: &Places, size: f64, at: &[Option<Point>]) -> Vec<SpringAt> {
@@ -187,26 +210,26 @@ fn springs(places: &Places, size: f64, at: &[Option<Point>]) -> Vec<SpringAt> {
         .collect()
 }
 
-fn contacts(places: &Places, size: f64, at: &[Option<Point>]) -> Vec<(String, Point, Point)> {
+fn contacts(places: &Places, at: &[Option<Point>]) -> Vec<ContactAt> {
     let contacts = places.contacts.iter();
     contacts
         .map(|contact| {
             let [first, second] = &contact.ends;
-            let normal = normal(contact);
-            // At the point that touches; between a slide and ground, at the slide's edge.
-            let place = match (first.1, second.1) {
-                (Some(point), _) | (None, Some(point)) => point,
-                (None, None) => {
-                    let edge = CLEARANCE * size;
-                    match (end_at(places, first, at), end_at(places, second, at)) {
-                        (Some(a), Some(b)) => [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0],
-                        (Some(a), None) => shifted(a, normal, -edge),
-                        (None, Some(b)) => shifted(b, normal, edge),
-                        (None, None) => [0.0; 2],
-                    }
-                }
+            let known = (end_at(places, first, at), end_at(places, second, at));
+            let place = match (first.1, second.1, known) {
+                // At the point that touches; between slides, half way.
+                (Some(point), _, _) | (None, Some(point), _) => point,
+                (None, None, (Some(a), Some(b))) => [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0],
+                (None, None, (Some(at), None) | (None, Some(at))) => at,
+                (None, None, (None, None)) => [0.0; 2],
             };
-            (contact.name.clone(), place, contact.along)
+            let slide = slide_of(places, &first.0).or_else(|| slide_of(places, &second.0));
+            ContactAt {
+                name: contact.name.clone(),
+                at: place,
+                along: contact.along,
+                rail_of: slide.filter(|_| on_ground(contact)),
+            }
         })
         .collect()
 }
@@ -247,7 +270,7 @@ fn shifted(p: Point, direction: Point, by: f64) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use flexure::{PlacedContact, PlacedSpring};
+    use flexure::PlacedSpring;
 
     fn end(body: &str, at: Option<Point>) -> (String, Option<Point>) {
         (body.to_owned(), at)

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use super::labels::Labels;
-use super::layout::{Layout, layout};
+use super::layout::{Layout, SlideAt, layout};
 use super::scale;
 use super::strokes::{
     all_finite, bar, bar_square, between, center, coil, head, length, line, minus, normal, polygon,
@@ -19,6 +19,8 @@ const HIGHEST: f64 = 420.0;
 const MARGIN: f64 = 58.0;
 /// Room for the scale bar.
 const FOOT: f64 = 30.0;
+/// Pixels for one unit of size where there is no scale.
+const ARRANGED: f64 = 560.0;
 const BAR: f64 = 9.0;
 const SLIDE: Point = [54.0, 26.0];
 
@@ -85,7 +87,11 @@ impl View {
         let span = [high[0] - low[0], high[1] - low[1]];
         let room = [WIDEST - 2.0 * MARGIN, HIGHEST - 2.0 * MARGIN];
         let fitting = (room[0] / span[0]).min(room[1] / span[1]);
-        let scale = if fitting.is_finite() { fitting } else { 1.0 };
+        let scale = match fitting {
+            fitting if !fitting.is_finite() => 1.0,
+            fitting if !layout.to_scale => fitting.min(ARRANGED),
+            fitting => fitting,
+        };
         let width = (span[0] * scale + 2.0 * MARGIN).max(380.0);
         let height = span[1] * scale + 2.0 * MARGIN + FOOT;
         let spare = (width - 2.0 * MARGIN - span[0] * scale) / 2.0;
@@ -113,7 +119,7 @@ fn all_points(layout: &Layout) -> Vec<Point> {
     let slides = layout.slides.iter().map(|slide| slide.at);
     let marks = layout.marks.iter().map(|(_, at, _)| *at);
     let springs = layout.springs.iter().flat_map(|spring| spring.ends);
-    let contacts = layout.contacts.iter().map(|(_, at, _)| *at);
+    let contacts = layout.contacts.iter().map(|contact| contact.at);
     links
         .chain(slides)
         .chain(marks)
@@ -160,7 +166,7 @@ impl Picture {
             if !all_finite(&[at, along]) {
                 continue;
             }
-            let across = normal(along);
+            let (across, side) = rail(slide, view);
             let place = |u: f64, v: f64| {
                 [
                     at[0] + u * along[0] + v * across[0],
@@ -169,16 +175,6 @@ impl Picture {
             };
             let (half, depth) = (SLIDE[0] / 2.0, SLIDE[1] / 2.0);
             let rail = 1.55 * half;
-            // The rail lies away from what the slide touches, else on the picture's lower side.
-            let away = match slide.touches {
-                Some(touches) => view.direction(touches).map(|c| -c),
-                None => [1e-6, 1.0],
-            };
-            let side = if across[0] * away[0] + across[1] * away[1] < 0.0 {
-                -1.0
-            } else {
-                1.0
-            };
             let rail_at = side * (depth + 3.0);
             let mut hatching = String::new();
             let strokes = 9;
@@ -306,11 +302,15 @@ impl Picture {
     }
 
     fn contacts(&mut self, layout: &Layout, view: &View) {
-        for (name, at, sliding) in &layout.contacts {
-            let at = view.at(*at);
-            let along = view.direction(*sliding);
+        for contact in &layout.contacts {
+            let mut at = view.at(contact.at);
+            let along = view.direction(contact.along);
             if !all_finite(&[at, along]) {
                 continue;
+            }
+            if let Some(slide) = contact.rail_of {
+                let (across, side) = rail(&layout.slides[slide], view);
+                at = shifted(at, across, side * (SLIDE[1] / 2.0 + 17.0));
             }
             let (back, front) = (shifted(at, along, -17.0), shifted(at, along, 17.0));
             let _ = writeln!(
@@ -323,7 +323,7 @@ impl Picture {
             self.labels.avoid(at, 7.0);
             self.labels.avoid(back, 5.0);
             self.labels.avoid(front, 5.0);
-            self.labels.add(name, false, at, [0.0, 1.0], 16.0);
+            self.labels.add(&contact.name, false, at, [0.0, 1.0], 16.0);
         }
     }
 
@@ -373,6 +373,18 @@ impl Picture {
             self.labels.add(name, false, at, [0.7, -0.7], 13.0);
         }
     }
+}
+
+/// The direction across a slide's guide, and the sign of the side on which its rail lies: away
+/// from what the slide touches, else on the picture's lower side.
+fn rail(slide: &SlideAt, view: &View) -> (Point, f64) {
+    let across = normal(view.direction(slide.along));
+    let away = match slide.touches {
+        Some(touches) => view.direction(touches).map(|c| -c),
+        None => [1e-6, 1.0],
+    };
+    let inside = across[0] * away[0] + across[1] * away[1] < 0.0;
+    (across, if inside { -1.0 } else { 1.0 })
 }
 
 fn scale_bar(view: &View) -> String {

@@ -117,7 +117,7 @@ fn head(html: &mut String, page: &Page) {
     html.push_str("</header>\n");
 }
 
-/// Words with what stands between backticks set as code; lines stay lines.
+/// Words with what stands between backticks set as code.
 fn with_code(words: &str) -> String {
     let parts: Vec<&str> = words.split('`').collect();
     let mut html = String::new();
@@ -133,7 +133,7 @@ fn with_code(words: &str) -> String {
             html.push_str(&part);
         }
     }
-    html.replace('\n', "<br>")
+    html
 }
 
 fn list(html: &mut String, facts: &[(String, String)]) {

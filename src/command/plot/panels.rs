@@ -274,8 +274,8 @@ fn panel(cluster: Vec<Candidate>) -> Panel {
     let size = largest(cluster.iter().flat_map(|c| c.values.iter().copied()));
     let unit = match cluster[0].unit.as_str() {
         DEGREES => DisplayUnit {
-            name: DEGREES.to_owned(),
             factor: 1.0,
+            ..scale::degrees()
         },
         unit => scale::display_unit(unit, size),
     };

@@ -52,7 +52,12 @@ pub fn display_unit(si_unit: &str, magnitude: f64) -> DisplayUnit {
     let exponent = if plain && magnitude > 0.0 && magnitude.is_finite() {
         // A hair above a power of ten still counts as that power: 0.9999999 mm is 1 mm.
         let thousands = ((magnitude * (1.0 + 1e-9)).log10() / 3.0).floor() as i32;
-        (3 * thousands).clamp(-12, 12)
+        // 0.294 N·s/m reads better than 294 mN·s/m; velocities are at home in mm/s.
+        let compound = first_end < rest.len() && rest != "m/s";
+        match 3 * thousands {
+            -3 if compound => 0,
+            exponent => exponent.clamp(-12, 12),
+        }
     } else if base != 1.0 {
         3
     } else {
@@ -71,6 +76,14 @@ pub fn display_unit(si_unit: &str, magnitude: f64) -> DisplayUnit {
     DisplayUnit {
         name: format!("{prefix}{rest}"),
         factor: base * 10f64.powi(exponent),
+    }
+}
+
+/// Degrees, for angles in rad.
+pub fn degrees() -> DisplayUnit {
+    DisplayUnit {
+        name: "°".to_owned(),
+        factor: std::f64::consts::PI / 180.0,
     }
 }
 
@@ -224,6 +237,8 @@ mod tests {
         assert_eq!(with_unit(-9.81, "m/s^2", 6), "−9.81 m/s²");
         assert_eq!(with_unit(8.0e-8, "kg*m^2", 6), "8e−8 kg·m²");
         assert_eq!(with_unit(0.3, "1", 6), "0.3");
+        assert_eq!(with_unit(0.294, "N*s/m", 6), "0.294 N·s/m");
+        assert_eq!(with_unit(0.009, "m/s", 6), "9 mm/s");
         assert_eq!(with_unit(2000.0, "rad/s", 6), "2000 rad/s");
         assert_eq!(with_unit(1e-3 * (1.0 - 1e-12), "m", 6), "1 mm");
         assert_eq!(with_unit(f64::INFINITY, "m", 6), "inf m");

@@ -17,7 +17,7 @@ pub fn bar(a: Point, b: Point, width: f64) -> String {
     let [s, t] = [shifted(b, side, -r), shifted(a, side, -r)];
     let r = pixel(r);
     format!(
-        "M{} {}L{} {}A{r} {r} 0 0 0 {} {}L{} {}A{r} {r} 0 0 0 {} {}Z",
+        "M{} {}L{} {}A{r} {r} 0 0 1 {} {}L{} {}A{r} {r} 0 0 1 {} {}Z",
         pixel(p[0]),
         pixel(p[1]),
         pixel(q[0]),
@@ -52,21 +52,24 @@ pub fn polygon(corners: &[Point]) -> String {
     path + "Z"
 }
 
-/// A zigzag with straight ends.
+/// A zigzag with straight ends, which take what is too long for it.
 pub fn coil(a: Point, b: Point) -> String {
+    let long = length(minus(b, a));
     let side = normal(unit(minus(b, a)));
-    let turns = ((length(minus(b, a)) / 8.0).round() as i32).clamp(4, 12);
+    let coiled = (0.7 * long).min(110.0) / long;
+    let turns = ((coiled * long / 8.0).round() as i32).clamp(4, 12);
+    let start = 0.5 - coiled / 2.0;
     let mut path = format!("M{} {}", pixel(a[0]), pixel(a[1]));
     let mut to = |p: Point| {
         let _ = write!(path, "L{} {}", pixel(p[0]), pixel(p[1]));
     };
-    to(between(a, b, 0.15));
+    to(between(a, b, start));
     for k in 0..turns {
-        let share = 0.15 + 0.7 * (f64::from(k) + 0.5) / f64::from(turns);
+        let share = start + coiled * (f64::from(k) + 0.5) / f64::from(turns);
         let swing = if k % 2 == 0 { 7.0 } else { -7.0 };
         to(shifted(between(a, b, share), side, swing));
     }
-    to(between(a, b, 0.85));
+    to(between(a, b, start + coiled));
     to(b);
     path
 }
