@@ -2,9 +2,10 @@
 //!
 //! ```text
 //! Equations ──program──▶ Program ──tape──▶ TapeModel      what the command runs
-//!                               ├──rust──▶ Rust tokens    what the macro gives
-//!                               ├──listing──▶ text        the stages, for people and tests
-//!                               └──dot──▶ a graph         for pictures
+//!         │                     ├──rust──▶ Rust tokens    what the macro gives
+//!         │                     ├──listing──▶ text        the stages, for people and tests
+//!         │                     └──dot──▶ a graph         for pictures
+//!         └──report──▶ text, LaTeX, Markdown              for readers
 //! ```
 //!
 //! The [`Program`] sorts every value by its binding time ([`Stage`]): constants are
@@ -14,6 +15,7 @@
 
 mod assemble;
 mod directions;
+mod dot;
 mod jacobian;
 mod listing;
 mod lower;
@@ -23,11 +25,14 @@ pub mod report;
 mod rust;
 mod schedule;
 mod tape;
+mod tape_listing;
 mod values;
 
 pub use assemble::{program, unit};
+pub use dot::dot;
 pub use listing::listing;
 pub use program::{Check, Event, Function, Message, Name, Program, Set, Solve, Symbols};
 pub use rust::{Texts, module_name, rust, rust_source, skeleton};
 pub use tape::tape;
+pub use tape_listing::tape_listing;
 pub use values::{Node, Stage, Value, Values};

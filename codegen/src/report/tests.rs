@@ -1,31 +1,107 @@
-//! Reports of the models of this repository, and of what is unusual.
+//! Reports of what is unusual: long equations, words with special characters.
 
 use flexure_model_dsl::compile;
 use flexure_model_dsl::equations::{Equations, Line, Section};
+use flexure_model_dsl::notation::latex_of;
 use flexure_model_dsl::source::Source;
+use flexure_model_dsl::symbolic::Expr;
 
 use super::*;
 
-fn compiled(path: &str, text: String) -> Equations {
-    match compile(
-        Source::new(path, text),
-        &|_| Err("no files here".to_owned()),
-    ) {
-        Ok((equations, _)) => equations,
-        Err(errors) => panic!("{path}: {errors:#?}"),
+/// The equations of a small model, with nothing in their report.
+fn equations() -> Equations {
+    let text = "//! 50 % of `E_1` & <b>$x$</b> \\input{a} #1 * two *\n\
+                model a_b\n\
+                slide s along (1, 0) { mass = 1 kg }\n";
+    match compile(Source::new("a.flex", text), &|_| Err(String::new())) {
+        Ok((mut equations, _)) => {
+            equations.report.clear();
+            equations
+        }
+        Err(errors) => panic!("{errors:#?}"),
     }
 }
 
-fn model(name: &str) -> Equations {
-    let path = format!("{}/../models/{name}.flex", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(&path).expect("the model file is there");
-    compiled(&format!("models/{name}.flex"), text)
+fn symbol(equations: &mut Equations, name: &str) -> Expr {
+    let symbol = equations.graph.symbol(name, latex_of(name));
+    equations.graph.of(symbol)
+}
+
+fn equation(left: &str, right: Expr, note: &str) -> Line {
+    Line::Equation {
+        text: left.to_owned(),
+        latex: latex_of(left),
+        right,
+        note: note.to_owned(),
+    }
+}
+
+/// Equations of all lengths, words, and equations already written.
+fn unusual() -> Equations {
+    let mut e = equations();
+    let [a, b] = ["a", "b"].map(|name| symbol(&mut e, name));
+    let long: Vec<Expr> = (0..7)
+        .map(|index| symbol(&mut e, &format!("a_long_name_{index}")))
+        .collect();
+    let g = &mut e.graph;
+    let short = g.sub(b, a);
+    let sum = g.sum(&long);
+    let first = g.neg(long[0]);
+    let difference = g.sum(&[first, long[1], long[2], long[3], long[4], long[5], long[6]]);
+    let product = g.product(&[a, sum, difference]);
+    let quotient = g.div(product, b);
+    let square = g.powi(sum, 2);
+    let deep = g.add(quotient, square);
+    let negative = g.neg(a);
+    let text = "every_thing = a + b + c + d + e + f + g + h + i + j + k + l + m + n + o + p + q + r \
+                + s + t + u + v";
+    e.report = vec![Section {
+        title: "Forces of `crank` <1>".to_owned(),
+        lines: vec![
+            Line::Text("Words come first, & may be many: ".to_owned() + &"word ".repeat(30)),
+            equation("x", short, "a short one"),
+            equation("φ̈1", negative, "with dots & <signs>"),
+            equation("sum", sum, ""),
+            equation("sum2", difference, "what the difference is"),
+            equation("deep", deep, ""),
+            equation("a_left_side_that_is_long", a, "lined up with nothing"),
+            Line::Written {
+                text: text.to_owned(),
+                latex: "x = y".to_owned(),
+            },
+            Line::Text("Last words".to_owned()),
+        ],
+    }];
+    e
 }
 
 #[test]
-fn double_rocker() {
-    let equations = model("double_rocker");
-    insta::assert_snapshot!("double_rocker_text", text(&equations));
-    insta::assert_snapshot!("double_rocker_latex", latex(&equations));
-    insta::assert_snapshot!("double_rocker_markdown", markdown(&equations));
+fn plain_text() {
+    let text = text(&unusual());
+    assert!(text.lines().all(|line| width(line) <= WIDTH), "{text}");
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn latex_document() {
+    let latex = latex(&unusual());
+    for (open, close) in [("{", "}"), (r"\left", r"\right"), (r"\begin", r"\end")] {
+        let escaped = latex.matches(&format!(r"\{open}")).count();
+        let count = |text: &str| latex.matches(text).count();
+        let escaped = if open == "{" { escaped } else { 0 };
+        let escaped_close = if open == "{" { count(r"\}") } else { 0 };
+        assert_eq!(
+            count(open) - escaped,
+            count(close) - escaped_close,
+            "{latex}"
+        );
+    }
+    insta::assert_snapshot!(latex);
+}
+
+#[test]
+fn markdown_text() {
+    let markdown = markdown(&unusual());
+    assert!(!markdown.contains("<b>"));
+    insta::assert_snapshot!(markdown);
 }
