@@ -34,25 +34,8 @@ impl Derivation<'_> {
         }
     }
 
-    /// Params must be finite, and bodies have the sizes and masses of real things.
+    /// Defines what follows from params; bodies have the sizes and masses of real things.
     pub(super) fn params(&mut self) {
-        for param in &self.model.params {
-            let value = self.g.of(param.symbol);
-            let size = self.g.function(Function::Abs, &[value]);
-            let most = self.g.integer(10);
-            let most = self.g.powi(most, 300);
-            let margin = self.g.sub(most, size);
-            let failure = Failure {
-                message: format!("the param `{}` is {{0}}", param.name),
-                hint: Some("it must be a finite number".to_owned()),
-                site: Some(self.model.source.site(param.span)),
-                values: vec![Shown {
-                    value,
-                    unit: ShownUnit::Number,
-                }],
-            };
-            self.check(margin, true, failure);
-        }
         for quantity in &self.model.lets {
             self.define(quantity.symbol, quantity.value, quantity.doc.clone());
         }
@@ -227,6 +210,12 @@ impl Derivation<'_> {
             let mut map = self.assembled_map();
             let entry = self.expand_with(inertia.matrix[index][index], &mut map);
             let body = self.coordinates[index].body;
+            let entry = if self.g.as_symbol(entry).is_some() {
+                entry
+            } else {
+                let name = format!("A_{}⁰", self.model.bodies[body].name);
+                self.named(&name, entry, "inertia as assembled")
+            };
             let failure = self.failure(
                 format!(
                     "`{}` can move but has no mass",

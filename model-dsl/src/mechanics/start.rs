@@ -33,8 +33,15 @@ impl Derivation<'_> {
             self.initial(&initial, laws, &mut motion.states);
         }
         let map = self.start_map(&motion.states);
+        // As assembled nothing has turned yet.
+        let is_assembled = (0..self.coordinates.len()).all(|index| {
+            let assembled = self.variable(self.coordinates[index].body).assembled;
+            motion.states[2 * index].initial == assembled
+        });
         for index in 0..self.discretes.len() {
-            if let Some(shift) = self.discretes[index].accepted {
+            if let Some(shift) = self.discretes[index].accepted
+                && !is_assembled
+            {
                 self.discretes[index].initial = self.expand_with(shift, &mut map.clone());
             }
         }
