@@ -34,8 +34,6 @@ enum Form {
     Rust,
     /// The instructions that `simulate` runs
     Tape,
-    /// The staged program as a graph in Graphviz's language
-    Dot,
     /// The right-hand side as a graph for Graphviz, stage by stage
     Dot,
 }
