@@ -281,8 +281,11 @@ impl<'c, 'g> Lowering<'c, 'g> {
         let mut size = to_f64(&coefficient.abs());
         for (base, exponent) in factors {
             let mut value = self.memo[base];
+            // A named quantity keeps its own sign, so that emitted code has ω2 and not -ω2.
+            let is_named = self.context.graph.as_symbol(*base).is_some();
             if let crate::values::Node::Apply(Operation::Negate, [inner, ..]) = values.node(value)
                 && exponent.is_integer()
+                && !is_named
             {
                 value = inner;
                 negative ^= is_odd(exponent);
