@@ -129,7 +129,8 @@ fn words_in_latex(words: &str) -> String {
             out.push_str(&escaped);
         }
     }
-    if !out.is_empty() && !out.ends_with('\n') {
+    out.truncate(out.trim_end().len());
+    if !out.is_empty() {
         out.push('\n');
     }
     out

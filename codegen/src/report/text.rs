@@ -208,10 +208,10 @@ fn break_position(line: &str, hanging: usize) -> Option<usize> {
             ' ' if column > hanging + 8 => {
                 let next = &line[at + 1..];
                 let operator = ["+ ", "- ", "/ ", "= ", "> ", "then ", "else "];
-                if operator.iter().any(|o| next.starts_with(o)) {
-                    if best.is_none_or(|(known, _)| depth <= known) {
-                        best = Some((depth, at));
-                    }
+                if operator.iter().any(|o| next.starts_with(o))
+                    && best.is_none_or(|(known, _)| depth <= known)
+                {
+                    best = Some((depth, at));
                 }
                 blank = Some(at);
             }

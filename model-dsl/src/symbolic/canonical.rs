@@ -257,13 +257,13 @@ impl Graph {
                     return if first { a } else { arguments[1] };
                 }
             }
-            Atan2 if self.is_zero(a) => {
-                if self
-                    .as_number(arguments[1])
-                    .is_some_and(Signed::is_positive)
-                {
-                    return self.zero();
-                }
+            Atan2
+                if self.is_zero(a)
+                    && self
+                        .as_number(arguments[1])
+                        .is_some_and(Signed::is_positive) =>
+            {
+                return self.zero();
             }
             Power => {
                 if let Some(exponent) = self.as_number(arguments[1]).cloned() {
