@@ -1,0 +1,128 @@
+//! What the integration tests share.
+//!
+//! What shares what: `multipliers` takes from the compiler the resolved model and nothing after
+//! it; `oracle` follows the derived equations; a test that compares the two therefore checks
+//! structure, closing of loops, derivation and energies at once, and would not see a mistake in
+//! the reading of a model file alone, for which the parser has tests of its own.
+#![allow(
+    dead_code,
+    reason = "each test binary uses its own part of this module"
+)]
+
+pub mod four_bars;
+pub mod multipliers;
+pub mod oracle;
+pub mod random;
+
+use flexure_model_dsl::model::{BodyId, BodyKind, Model};
+use flexure_model_dsl::source::Source;
+use flexure_runtime::tape::{TapeModel, TapePrepared};
+
+use oracle::Oracle;
+
+/// A model file, resolved and derived.
+pub struct Compiled {
+    /// As resolved.
+    pub model: Model,
+    /// As derived.
+    pub oracle: Oracle,
+}
+
+/// Compiles the text of a model file, which must be without faults.
+pub fn compile(name: &str, text: &str) -> Compiled {
+    let none = |path: &str| Err(format!("no file `{path}`"));
+    let source = Source::new(name, text);
+    let fail = |problems: Vec<flexure_runtime::diagnostic::Diagnostic>| -> ! {
+        let lines: Vec<String> = problems.iter().map(|p| p.to_string()).collect();
+        panic!("{name}:\n{}\n{text}", lines.join("\n"))
+    };
+    let (model, _) =
+        flexure_model_dsl::resolve::resolve(source.clone(), &none).unwrap_or_else(|p| fail(p));
+    let (equations, _) = flexure_model_dsl::compile(source, &none).unwrap_or_else(|p| fail(p));
+    Compiled {
+        model,
+        oracle: Oracle::new(equations),
+    }
+}
+
+/// The text of a model of this repository.
+pub fn shipped_text(name: &str) -> String {
+    let path = format!("{}/models/{name}.flex", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// A model of this repository.
+pub fn shipped(name: &str) -> Compiled {
+    compile(name, &shipped_text(name))
+}
+
+/// The names of this repository's models, in order.
+pub fn model_names() -> Vec<String> {
+    let folder = format!("{}/models", env!("CARGO_MANIFEST_DIR"));
+    let entries = std::fs::read_dir(&folder).expect("the folder of models");
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| {
+            let name = entry.expect("an entry").file_name().into_string().ok()?;
+            name.strip_suffix(".flex").map(str::to_owned)
+        })
+        .collect();
+    names.sort();
+    names
+}
+
+/// The model as a tape.
+pub fn tape_model(compiled: &Compiled) -> TapeModel {
+    let program = flexure_codegen::program(&compiled.oracle.equations);
+    flexure_codegen::tape(&program)
+}
+
+/// The model as a tape, with default params of which some are changed.
+pub fn tape(compiled: &Compiled, changes: &[(&str, f64)]) -> TapePrepared {
+    let prepared = tape_model(compiled).prepare(&compiled.params(changes));
+    prepared.unwrap_or_else(|problem| panic!("{problem}"))
+}
+
+impl Compiled {
+    /// Default params with some of them changed.
+    pub fn params(&self, changes: &[(&str, f64)]) -> Vec<f64> {
+        let mut values = self.oracle.defaults();
+        for (name, value) in changes {
+            let index = self.model.params.iter().position(|p| p.name == *name);
+            values[index.unwrap_or_else(|| panic!("there is a param `{name}`"))] = *value;
+        }
+        values
+    }
+
+    /// The coordinates in the order of the states: each body with the positions of its value and
+    /// its rate in the state.
+    pub fn coordinates(&self) -> Vec<(BodyId, usize, usize)> {
+        let states = &self.oracle.equations.states;
+        let find = |body: &str, suffixes: &[&str]| {
+            states.iter().position(|state| {
+                let suffix = state.name.strip_prefix(body);
+                suffix.is_some_and(|s| suffixes.contains(&s))
+            })
+        };
+        let mut found = Vec::new();
+        for (index, body) in self.model.bodies.iter().enumerate() {
+            let (values, rates): (&[&str], &[&str]) = match body.kind {
+                BodyKind::Ground => continue,
+                BodyKind::Link(_) => (&[".angle"], &[".rate"]),
+                BodyKind::Slide(_) => (&[".x", ".travel"], &[".v"]),
+            };
+            if let (Some(value), Some(rate)) = (find(&body.name, values), find(&body.name, rates)) {
+                found.push((index, value, rate));
+            }
+        }
+        found.sort_by_key(|(_, value, _)| *value);
+        found
+    }
+
+    /// The positions of contacts' bristle deflections in the state.
+    pub fn bristles(&self) -> Vec<usize> {
+        let contacts = self.model.contacts.iter();
+        contacts
+            .map(|contact| self.oracle.state(&format!("{}.z", contact.name)))
+            .collect()
+    }
+}
