@@ -1,6 +1,20 @@
 //! From a model file of a planar flexure mechanism to its equations of motion in closed form and
 //! a fast simulator.
 //!
+//! A model known when a program is compiled becomes a module of its own:
+//!
+//! ```
+//! flexure::include_model!("models/double_rocker.flex");
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let design = double_rocker::Params { Fp: 15.0, ..Default::default() };
+//! let model = design.prepare()?;
+//! let run = flexure::simulate(&model).until(1e-3).rtol(1e-8).every(1e-5).run()?;
+//! println!("{} m/s", run.column("stage.v").mean());
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! A model file that is only known at run time is a [`Model`], which runs on a tape:
 //!
 //! ```

@@ -302,6 +302,11 @@ fn wrong_settings_are_wrong_calls() {
         .is(2)
         .says(&["a time (s)", "a mass"]);
     flexure(&here, &["simulate", "oscillator.flex", "--until", "-1s"]).is(2);
+    flexure(
+        &here,
+        &["emit", "oscillator.flex", "-o", "./oscillator.flex"],
+    )
+    .is(2);
     assert_eq!(
         fs::read_to_string(here.join("oscillator.flex")).unwrap(),
         OSCILLATOR

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use flexure::codegen::{self, Texts, report};
 use quote::quote;
 
-use super::output::OutputFile;
+use super::output::{self, OutputFile};
 use super::settings::load;
 use super::terminal::Terminal;
 use super::{Failure, print};
@@ -44,6 +44,9 @@ enum Form {
 ///
 /// If the model is wrong, or the file cannot be written.
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
+    if let Some(output) = &arguments.output {
+        output::spare_model(output, &arguments.file)?;
+    }
     let file = arguments.output.as_deref().map(OutputFile::create);
     let file = file.transpose()?;
     let model = load(&arguments.file, terminal)?;

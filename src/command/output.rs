@@ -117,6 +117,29 @@ impl Drop for OutputFile {
     }
 }
 
+/// Refuses to write over the model file.
+///
+/// # Errors
+///
+/// If `target` is that file.
+pub fn spare_model(target: &Path, model: &Path) -> Result<(), Failure> {
+    if same_file(target, model) {
+        return Err(Failure::usage(format!(
+            "writing `{}` would overwrite the model",
+            target.display()
+        )));
+    }
+    Ok(())
+}
+
+/// Whether both name one file, whether it is there or not.
+pub fn same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    }
+}
+
 /// The failure to write a file, in words.
 pub fn cannot_write(target: &Path, why: &io::Error) -> Failure {
     let why = match why.kind() {

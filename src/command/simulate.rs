@@ -8,7 +8,7 @@ use flexure::runtime::simulate::{Ending, Simulation, simulate};
 use flexure::runtime::system::System;
 
 use super::Failure;
-use super::output::{OutputFile, cannot_write};
+use super::output::{self, OutputFile, cannot_write, same_file};
 use super::plot::scale;
 use super::portrait::Portrait;
 use super::recording::Recording;
@@ -149,20 +149,12 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
 
 /// Refuses files that would overwrite each other or the model.
 fn check_files(arguments: &Arguments) -> Result<(), Failure> {
-    let same = |a: &Path, b: &Path| match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => a == b,
-    };
+    let model = &arguments.settings.file;
     for path in [&arguments.output, &arguments.plot].into_iter().flatten() {
-        if same(path, &arguments.settings.file) {
-            return Err(Failure::usage(format!(
-                "writing `{}` would overwrite the model",
-                path.display()
-            )));
-        }
+        output::spare_model(path, model)?;
     }
     match (&arguments.output, &arguments.plot) {
-        (Some(output), Some(plot)) if same(output, plot) => Err(Failure::usage(format!(
+        (Some(output), Some(plot)) if same_file(output, plot) => Err(Failure::usage(format!(
             "`{}` cannot be both the table and the picture",
             plot.display()
         ))),

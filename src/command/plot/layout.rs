@@ -69,6 +69,8 @@ const SPRING: f64 = 0.26;
 const STACK: f64 = 0.36;
 /// Distance of a slide from the point that it touches.
 const CLEARANCE: f64 = 0.042;
+/// Distance of two slides that touch.
+const CLEARANCE_OF_SLIDES: f64 = 0.085;
 /// Distance of a mechanism's unconnected parts.
 const ROW: f64 = 0.3;
 
@@ -121,7 +123,11 @@ fn settle(places: &Places, size: f64, at: &mut [Option<Point>]) -> bool {
         let normal = normal(contact);
         for (here, there, sign) in [(first, second, -1.0), (second, first, 1.0)] {
             if let (Some(point), Some(slide)) = (end_at(places, here, at), waiting(there, at)) {
-                at[slide] = Some(shifted(point, normal, sign * CLEARANCE * size));
+                let clearance = match here.1 {
+                    Some(_) => CLEARANCE,
+                    None => CLEARANCE_OF_SLIDES,
+                };
+                at[slide] = Some(shifted(point, normal, sign * clearance * size));
                 return true;
             }
         }

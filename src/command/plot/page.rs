@@ -148,7 +148,7 @@ fn list(html: &mut String, facts: &[(String, String)]) {
             html,
             "<tr><th class=\"plain\">{}</th><td>{}</td></tr>",
             escape(shown),
-            escape(words)
+            with_code(words)
         );
         last = subject;
     }
