@@ -46,3 +46,8 @@ pub use model::{Design, Diagnostics, Model, quantity, split_assignment};
 pub mod __macros {
     pub use flexure_macros::{include_model, model};
 }
+
+/// The Rust of the README, compiled and run as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
