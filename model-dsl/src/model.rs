@@ -282,6 +282,8 @@ impl Waveform {
 /// A place in a body's frame: x along the link from its first end; for ground the fixed frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Local {
+    /// The origin.
+    Origin,
     /// Two lengths in m, of params.
     Cartesian(Expr, Expr),
     /// A length in m and an angle in rad, of params.

@@ -3,9 +3,9 @@
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use crate::equations::{Discrete, Equations, Event, Failure, Kink, Line, Output, Shown, ShownUnit};
+use crate::equations::{Discrete, Equations, Event, Kink, Line, Output, Shown, ShownUnit};
 use crate::model::{BodyKind, EnergyKind, Measure};
-use crate::symbolic::{Expr, Function};
+use crate::symbolic::Expr;
 
 use super::inertia::Inertia;
 use super::laws::Laws;

@@ -115,6 +115,8 @@ pub(crate) struct Derivation<'m> {
     pub report: Vec<Section>,
     /// Rate in time of each drive.
     pub drive_rates: HashMap<Symbol, Expr>,
+    /// Links that turn with others, by body.
+    pub aliases: Vec<Option<closing::Alias>>,
     /// Modes whose value at the start follows from the start state.
     pub modes: Vec<start::Mode>,
     pub errors: Vec<Diagnostic>,
@@ -141,6 +143,7 @@ impl<'m> Derivation<'m> {
             checks: Vec::new(),
             report: Vec::new(),
             drive_rates: HashMap::new(),
+            aliases: vec![None; model.bodies.len()],
             modes: Vec::new(),
             errors: Vec::new(),
             warnings: Vec::new(),

@@ -66,13 +66,12 @@ impl Derivation<'_> {
             let body = &self.model.bodies[coordinate.body];
             let reason = if self.structure.asked[index] {
                 "as asked"
-            } else if self
-                .structure
-                .loops
-                .iter()
-                .any(|l| l.links.contains(&coordinate.body))
-            {
-                "the first link of its loop in the file"
+            } else if self.structure.in_loop(self.model, coordinate.body) {
+                if self.structure.is_closed_form() {
+                    "the first in the file with which every loop closes in closed form"
+                } else {
+                    "the first of its loops in the file"
+                }
             } else {
                 "moves on its own"
             };
@@ -112,12 +111,7 @@ impl Derivation<'_> {
             Vec::new(),
         );
         let mut closed = Vec::new();
-        for link in self
-            .structure
-            .loops
-            .iter()
-            .flat_map(|l| [l.unknowns.0, l.unknowns.1])
-        {
+        for link in self.structure.steps.iter().flat_map(|step| step.unknowns()) {
             let variable = self.variable(link).clone();
             let BodyKind::Link(shape) = &self.model.bodies[link].kind else {
                 continue;

@@ -79,15 +79,20 @@ fn wave_difference(g: &mut Graph, coefficient: Expr, now: Expr, then: Expr, quar
 impl Derivation<'_> {
     /// A vector given in a body's frame, as turned vectors.
     pub(crate) fn vector_in(&mut self, body: BodyId, local: Local) -> Vec<Turned> {
-        let link = self.structure.turning_link(self.model, body);
+        let own = self.structure.turning_link(self.model, body);
+        let (link, turn) = match own.and_then(|link| self.aliases[link]) {
+            Some(alias) => (alias.link, alias.quarter),
+            None => (own, 0),
+        };
         let turned = |magnitude, offset, quarter| Turned {
             magnitude,
             slide: None,
             link,
             offset,
-            quarter,
+            quarter: (quarter + turn) % 4,
         };
         let parts = match local {
+            Local::Origin => Vec::new(),
             Local::Polar(radius, angle) if self.g.is_zero(angle) => vec![turned(radius, None, 0)],
             Local::Polar(radius, angle) => vec![turned(radius, Some(angle), 0)],
             Local::Cartesian(x, y) => vec![turned(x, None, 0), turned(y, None, 1)],
@@ -107,7 +112,7 @@ impl Derivation<'_> {
         let mut sum = Vec::new();
         let mut at = body;
         loop {
-            match self.structure.attachments[at] {
+            let (parts, next) = match self.structure.attachments[at] {
                 Attachment::Root => {
                     // From ground outwards, as one would write the way down.
                     sum.reverse();
@@ -115,33 +120,40 @@ impl Derivation<'_> {
                 }
                 Attachment::Pinned {
                     parent,
-                    pin,
-                    parent_member,
-                    member,
+                    there,
+                    here,
                 } => {
-                    let members = &self.model.pins[pin].members;
-                    let (there, here) = (members[parent_member].1, members[member].1);
+                    let mut parts = self.vector_in(parent, there);
                     let mut back = self.vector_in(at, here);
                     self.reverse(&mut back);
-                    sum.extend(back.into_iter().rev());
-                    let forth = self.vector_in(parent, there);
-                    sum.extend(forth.into_iter().rev());
-                    at = parent;
+                    parts.extend(back);
+                    (parts, parent)
                 }
-                Attachment::Guided { carrier } => {
-                    let BodyKind::Slide(slide) = &self.model.bodies[at].kind else {
-                        unreachable!("only slides are guided")
-                    };
-                    let [x, y] = slide.direction;
-                    let mut along = self.vector_in(carrier, Local::Cartesian(x, y));
-                    along.iter_mut().for_each(|part| part.slide = Some(at));
-                    sum.extend(along.into_iter().rev());
-                    let origin = self.vector_in(carrier, slide.origin);
-                    sum.extend(origin.into_iter().rev());
-                    at = carrier;
+                Attachment::Guided { carrier } => (self.guided(at), carrier),
+                Attachment::Carried { slide } => {
+                    let mut parts = self.guided(slide);
+                    self.reverse(&mut parts);
+                    (parts, slide)
                 }
-            }
+            };
+            sum.extend(parts.into_iter().rev());
+            at = next;
         }
+    }
+
+    /// The place of a slide from the origin of its carrier's frame.
+    fn guided(&mut self, slide: BodyId) -> Vec<Turned> {
+        let BodyKind::Slide(Slide {
+            carrier, origin, ..
+        }) = self.model.bodies[slide].kind
+        else {
+            return Vec::new();
+        };
+        let mut parts = self.vector_in(carrier, origin);
+        let mut along = self.guide(slide);
+        along.iter_mut().for_each(|part| part.slide = Some(slide));
+        parts.extend(along);
+        parts
     }
 
     /// Turns a vector round.

@@ -172,7 +172,7 @@ impl Resolver<'_> {
     /// Centre of mass: as given, else at mid-length.
     fn center(&mut self, given: Option<Local>, length: Expr, owner: &Owner) -> Local {
         let (distance, angle) = match given {
-            Some(local @ Local::Cartesian(..)) => return local,
+            Some(local @ (Local::Origin | Local::Cartesian(..))) => return local,
             Some(Local::Polar(distance, angle)) => (distance, angle),
             None => {
                 let half = Rational::new(1.into(), 2.into());

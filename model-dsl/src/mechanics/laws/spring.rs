@@ -2,7 +2,7 @@
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use crate::model::{Axis, End, GROUND, Local, Measure, Spring};
+use crate::model::{Axis, BodyKind, End, GROUND, Local, Measure, Spring};
 use crate::symbolic::{Expr, Symbol};
 
 use super::super::Derivation;
@@ -202,12 +202,10 @@ impl Derivation<'_> {
     /// Along a guide that turns with its carrier: only between the carrier and its slide.
     fn extension_along_moving_guide(&mut self, spring: &Spring, slide: usize) -> Expr {
         let travel = self.variable(slide).shift;
-        let carrier = self
-            .structure
-            .way_to_ground(slide)
-            .get(1)
-            .copied()
-            .unwrap_or(GROUND);
+        let carrier = match &self.model.bodies[slide].kind {
+            BodyKind::Slide(slide) => slide.carrier,
+            BodyKind::Link(_) | BodyKind::Ground => GROUND,
+        };
         let extension = match (spring.first.body, spring.second.body) {
             (first, second) if first == carrier && second == slide => travel,
             (first, second) if first == slide && second == carrier => self.g.neg(travel),

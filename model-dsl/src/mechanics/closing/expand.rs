@@ -1,0 +1,77 @@
+//! Writing definitions out: an expression in terms of other symbols than those it was made of.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::equations::Definition;
+use crate::symbolic::{Expr, Symbol};
+
+use super::super::Derivation;
+
+impl Derivation<'_> {
+    /// `expr` with everything that depends on `unknowns` written out in terms of them.
+    pub(in super::super) fn expand(&mut self, expr: Expr, unknowns: &[Symbol]) -> Expr {
+        let mut map: HashMap<Symbol, Expr> = HashMap::new();
+        for symbol in unknowns {
+            map.insert(*symbol, self.g.of(*symbol));
+        }
+        self.expand_with(expr, &mut map)
+    }
+
+    /// `expr` with symbols replaced as `map` says, also inside the definitions of the symbols that
+    /// it uses; definitions that lead to nothing replaced stay symbols.
+    pub(in super::super) fn expand_with(
+        &mut self,
+        expr: Expr,
+        map: &mut HashMap<Symbol, Expr>,
+    ) -> Expr {
+        let defined: HashMap<Symbol, Expr> = self
+            .definitions
+            .iter()
+            .filter_map(|definition| match definition {
+                Definition::Value { symbol, value, .. } => Some((*symbol, *value)),
+                Definition::Solve(_) => None,
+            })
+            .collect();
+        // A symbol may be mapped to itself, so what leads to one is known by its symbols alone.
+        let mut touched: HashSet<Symbol> = map.keys().copied().collect();
+        let mut stack: Vec<(Symbol, bool)> = self
+            .g
+            .symbols_in(&[expr])
+            .into_iter()
+            .rev()
+            .map(|s| (s, false))
+            .collect();
+        while let Some((symbol, ready)) = stack.pop() {
+            if map.contains_key(&symbol) {
+                continue;
+            }
+            let Some(&value) = defined.get(&symbol) else {
+                continue;
+            };
+            if ready {
+                let inner = self.g.symbols_in(&[value]);
+                let result = if inner.iter().any(|s| touched.contains(s)) {
+                    touched.insert(symbol);
+                    self.g.substitute(value, map)
+                } else {
+                    self.g.of(symbol)
+                };
+                map.insert(symbol, result);
+            } else {
+                stack.push((symbol, true));
+                let inner = self.g.symbols_in(&[value]);
+                stack.extend(inner.into_iter().map(|s| (s, false)));
+            }
+        }
+        self.g.substitute(expr, map)
+    }
+
+    /// Running values to assembled ones, for all variables known so far.
+    pub(in super::super) fn assembled_map(&self) -> HashMap<Symbol, Expr> {
+        self.variables
+            .iter()
+            .flatten()
+            .map(|v| (v.symbol, v.assembled))
+            .collect()
+    }
+}

@@ -1,0 +1,414 @@
+//! Structure: from bodies and joints to coordinates and the order in which loops close.
+//!
+//! ```text
+//! ground is placed ─┬─▶ a body with a known variable on a placed body: place it
+//!                   ├─▶ a way from placed to placed over unplaced bodies with two unknown
+//!                   │   variables: a loop that closes (an Assur dyad), then both are known
+//!                   ├─▶ with fewer: a redundant joint, accepted if it holds by itself
+//!                   ├─▶ degrees of freedom left: choose a coordinate
+//!                   └─▶ none left: all that remains closes together (Newton's method)
+//! ```
+//!
+//! A link brings one variable, its angle; a slide one, its position on its guide; both turn into
+//! two equations for each loop, because a place is a sum of turned vectors. The steps are taken in
+//! the order above until every body is placed, so each loop has the fewest bodies that can close it.
+
+mod search;
+
+use flexure_runtime::diagnostic::Diagnostic;
+
+use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
+use search::Search;
+
+/// How the place of a body follows from that of another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attachment {
+    /// Ground itself.
+    Root,
+    /// Pinned to a body nearer to ground: that body, and the pin in its frame and in this body's.
+    Pinned {
+        /// The nearer body.
+        parent: BodyId,
+        /// The pin in the nearer body's frame.
+        there: Local,
+        /// The pin in this body's frame.
+        here: Local,
+    },
+    /// A slide on its carrier.
+    Guided {
+        /// The carrier.
+        carrier: BodyId,
+    },
+    /// A body that is carried by the slide on its own guide, because the slide is held.
+    Carried {
+        /// The slide.
+        slide: BodyId,
+    },
+}
+
+/// A piece of the way around a loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Leg {
+    /// From one point of a body to another.
+    Across {
+        /// The body.
+        body: BodyId,
+        /// Where the way enters.
+        enter: Local,
+        /// Where it leaves.
+        leave: Local,
+    },
+    /// Along the guide of a slide, from its origin to the slide or back.
+    Along {
+        /// The slide.
+        slide: BodyId,
+        /// From the carrier to the slide.
+        outward: bool,
+    },
+}
+
+/// A loop: from a placed body over others to a placed body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
+    /// The placed body where it starts, and the point.
+    pub start: (BodyId, Local),
+    /// The pieces between.
+    pub legs: Vec<Leg>,
+    /// The placed body where it ends, and the point.
+    pub end: (BodyId, Local),
+    /// The pin at which it ends, for messages.
+    pub pin: Option<usize>,
+}
+
+impl Way {
+    /// The same loop the other way round.
+    fn reversed(self) -> Self {
+        let turned = |leg: Leg| match leg {
+            Leg::Across { body, enter, leave } => Leg::Across {
+                body,
+                enter: leave,
+                leave: enter,
+            },
+            Leg::Along { slide, outward } => Leg::Along {
+                slide,
+                outward: !outward,
+            },
+        };
+        Way {
+            start: self.end,
+            legs: self.legs.into_iter().rev().map(turned).collect(),
+            end: self.start,
+            pin: self.pin,
+        }
+    }
+}
+
+/// What is done about a loop.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// Two variables close one loop.
+    Close {
+        /// The loop.
+        way: Way,
+        /// The links or slides whose variables close it, in the order of the way.
+        unknowns: [BodyId; 2],
+    },
+    /// A loop with fewer than two unknown variables: it must hold by itself.
+    Redundant {
+        /// The loop.
+        way: Way,
+        /// The variable that it still fixes.
+        unknown: Option<BodyId>,
+    },
+    /// Several loops that only close together.
+    Together {
+        /// The loops.
+        ways: Vec<Way>,
+        /// The links or slides whose variables close them, two for each loop.
+        unknowns: Vec<BodyId>,
+    },
+}
+
+impl Step {
+    /// The loops of the step.
+    pub fn ways(&self) -> &[Way] {
+        match self {
+            Step::Close { way, .. } | Step::Redundant { way, .. } => std::slice::from_ref(way),
+            Step::Together { ways, .. } => ways,
+        }
+    }
+
+    /// The bodies whose variables the step finds.
+    pub fn unknowns(&self) -> Vec<BodyId> {
+        match self {
+            Step::Close { unknowns, .. } => unknowns.to_vec(),
+            Step::Redundant { unknown, .. } => unknown.iter().copied().collect(),
+            Step::Together { unknowns, .. } => unknowns.clone(),
+        }
+    }
+}
+
+/// The structure of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Structure {
+    /// How each body is placed, by body.
+    pub attachments: Vec<Attachment>,
+    /// Independent coordinates, each a link (its angle) or a slide (its position), in the order of
+    /// the file.
+    pub coordinates: Vec<BodyId>,
+    /// Whether the user asked for each coordinate.
+    pub asked: Vec<bool>,
+    /// Loops in the order in which they close.
+    pub steps: Vec<Step>,
+}
+
+impl Structure {
+    /// The link with whose angle a body turns; `None` for what only translates.
+    pub fn turning_link(&self, model: &Model, body: BodyId) -> Option<BodyId> {
+        turning_link(model, body)
+    }
+
+    /// Whether no loops have to be closed together by Newton's method.
+    pub fn is_closed_form(&self) -> bool {
+        self.steps
+            .iter()
+            .all(|step| !matches!(step, Step::Together { .. }))
+    }
+
+    /// Whether a body's variable takes part in a loop.
+    pub fn in_loop(&self, model: &Model, body: BodyId) -> bool {
+        self.steps.iter().any(|step| {
+            step.unknowns().contains(&body)
+                || step
+                    .ways()
+                    .iter()
+                    .any(|way| self.way_bodies(model, way).contains(&body))
+        })
+    }
+
+    /// The bodies of a loop in order from ground to ground, without ground.
+    pub fn way_bodies(&self, _model: &Model, way: &Way) -> Vec<BodyId> {
+        let mut bodies = self.from_ground(way.start.0);
+        for leg in &way.legs {
+            match *leg {
+                Leg::Across { body, .. } => bodies.push(body),
+                Leg::Along { slide, .. } => bodies.push(slide),
+            }
+        }
+        let mut back = self.from_ground(way.end.0);
+        // What both ends have in common does not take part.
+        let common = bodies.iter().zip(&back).take_while(|(a, b)| a == b).count();
+        bodies.drain(..common);
+        back.drain(..common);
+        back.reverse();
+        bodies.extend(back);
+        bodies.dedup();
+        bodies
+    }
+
+    /// The bodies from ground to `body`, without ground.
+    fn from_ground(&self, body: BodyId) -> Vec<BodyId> {
+        let mut way = Vec::new();
+        let mut at = body;
+        while at != GROUND {
+            way.push(at);
+            at = match self.attachments[at] {
+                Attachment::Root => GROUND,
+                Attachment::Pinned { parent, .. } => parent,
+                Attachment::Guided { carrier } => carrier,
+                Attachment::Carried { slide } => slide,
+            };
+        }
+        way.reverse();
+        way
+    }
+}
+
+/// The link with whose angle a body turns; `None` for what only translates.
+pub(crate) fn turning_link(model: &Model, body: BodyId) -> Option<BodyId> {
+    let mut body = body;
+    // A chain of slides cannot be longer than there are bodies.
+    for _ in 0..model.bodies.len() {
+        match &model.bodies[body].kind {
+            BodyKind::Ground => return None,
+            BodyKind::Link(_) => return Some(body),
+            BodyKind::Slide(slide) => body = slide.carrier,
+        }
+    }
+    None
+}
+
+/// Finds the structure of a model, or says what is wrong with it.
+///
+/// # Errors
+/// Bodies that nothing joins to ground, coordinates that are not independent, parts that cannot
+/// move against each other.
+pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
+    if model.bodies.len() == 1 {
+        return Err(vec![
+            Diagnostic::error("nothing in this model can move")
+                .hint("describe at least one `link` or `slide`"),
+        ]);
+    }
+    let components = components(model)?;
+    let mut search = Search::new(model);
+    let asked = asked(model, &components)?;
+    for &body in &asked {
+        search.learn(body);
+    }
+    let mut coordinates = asked.clone();
+    for component in &components {
+        let mut left = component.freedom.max(1);
+        left -= asked
+            .iter()
+            .filter(|body| component.bodies.contains(body))
+            .count() as i64;
+        search.proceed()?;
+        while !search.is_placed(&component.bodies) {
+            let has_own = coordinates
+                .iter()
+                .any(|body| component.bodies.contains(body));
+            if left <= 0 && has_own {
+                search.together(&component.bodies)?;
+                continue;
+            }
+            let Some(next) = search.best_coordinate(&component.bodies, left - 1) else {
+                break;
+            };
+            coordinates.push(next);
+            search.learn(next);
+            left -= 1;
+            search.proceed()?;
+        }
+    }
+    search.leftover_joints();
+    coordinates.sort_unstable();
+    let structure = Structure {
+        attachments: search.attachments(),
+        asked: coordinates
+            .iter()
+            .map(|body| asked.contains(body))
+            .collect(),
+        coordinates,
+        steps: search.steps,
+    };
+    Ok(structure)
+}
+
+/// Bodies that hang together without ground.
+struct Component {
+    bodies: Vec<BodyId>,
+    /// Degrees of freedom by counting: variables less two for each loop.
+    freedom: i64,
+}
+
+/// The components of a model, each joined to ground.
+fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
+    let count = model.bodies.len();
+    let mut group: Vec<usize> = (0..count).collect();
+    let mut grounded = vec![false; count];
+    let mut join = |a: BodyId, b: BodyId, group: &mut Vec<usize>| {
+        if a == GROUND || b == GROUND {
+            grounded[a.max(b)] = true;
+            return;
+        }
+        let (keep, drop) = (group[a].min(group[b]), group[a].max(group[b]));
+        group
+            .iter_mut()
+            .filter(|g| **g == drop)
+            .for_each(|g| *g = keep);
+    };
+    for pin in &model.pins {
+        for pair in pin.members.windows(2) {
+            join(pair[0].0, pair[1].0, &mut group);
+        }
+        // A pin on ground grounds every member.
+        if pin.members.iter().any(|(body, _)| *body == GROUND) {
+            for (body, _) in &pin.members {
+                join(GROUND, *body, &mut group);
+            }
+        }
+    }
+    for (id, body) in model.bodies.iter().enumerate() {
+        if let BodyKind::Slide(slide) = &body.kind {
+            join(id, slide.carrier, &mut group);
+        }
+    }
+    let mut errors = Vec::new();
+    let mut components = Vec::new();
+    for lead in 1..count {
+        let bodies: Vec<BodyId> = (1..count).filter(|body| group[*body] == lead).collect();
+        let Some(&first) = bodies.first() else {
+            continue;
+        };
+        if !bodies.iter().any(|body| grounded[*body]) {
+            let names: Vec<String> = bodies
+                .iter()
+                .map(|b| format!("`{}`", model.bodies[*b].name))
+                .collect();
+            let verb = if bodies.len() == 1 { "is" } else { "are" };
+            errors.push(
+                Diagnostic::error(format!("{} {verb} not joined to ground", names.join(", ")))
+                    .at(model.source.site(model.bodies[first].span))
+                    .hint("let one of its ends be a `ground` point, or a point of a body that is joined to ground"),
+            );
+            continue;
+        }
+        let pins: usize = model
+            .pins
+            .iter()
+            .filter(|pin| pin.members.iter().any(|(body, _)| bodies.contains(body)))
+            .map(|pin| pin.members.len() - 1)
+            .sum();
+        let slides = bodies
+            .iter()
+            .filter(|body| matches!(model.bodies[**body].kind, BodyKind::Slide(_)))
+            .count();
+        let loops = (pins + slides) as i64 - bodies.len() as i64;
+        let freedom = bodies.len() as i64 - 2 * loops;
+        components.push(Component { bodies, freedom });
+    }
+    if errors.is_empty() {
+        Ok(components)
+    } else {
+        Err(errors)
+    }
+}
+
+/// The coordinates that the user asks for.
+fn asked(model: &Model, components: &[Component]) -> Result<Vec<BodyId>, Vec<Diagnostic>> {
+    let mut asked: Vec<BodyId> = Vec::new();
+    for request in &model.coordinates {
+        if asked.contains(&request.body) {
+            continue;
+        }
+        let Some(component) = components.iter().find(|c| c.bodies.contains(&request.body)) else {
+            continue;
+        };
+        let same = asked
+            .iter()
+            .filter(|body| component.bodies.contains(body))
+            .count() as i64;
+        let freedom = component.freedom.max(1);
+        if same == freedom {
+            return Err(vec![
+                Diagnostic::error(format!(
+                    "more coordinates are asked for than the mechanism has degrees of freedom ({freedom})"
+                ))
+                .at(model.source.site(request.span))
+                .hint("remove this `coordinate`"),
+            ]);
+        }
+        asked.push(request.body);
+    }
+    Ok(asked)
+}
+
+/// `crank–coupler–rocker`.
+pub(crate) fn loop_names(model: &Model, bodies: &[BodyId]) -> String {
+    let names: Vec<&str> = bodies
+        .iter()
+        .map(|b| model.bodies[*b].name.as_str())
+        .collect();
+    names.join("–")
+}

@@ -1,0 +1,486 @@
+//! The search for the next step: what can be placed, which loop closes, what remains.
+
+use std::collections::VecDeque;
+
+use flexure_runtime::diagnostic::Diagnostic;
+
+use super::{Attachment, Leg, Step, Way, loop_names, turning_link};
+use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
+
+/// What is known so far.
+#[derive(Clone)]
+pub(super) struct Search<'m> {
+    model: &'m Model,
+    /// Variables that are known, by body.
+    known: Vec<bool>,
+    /// How bodies are placed, by body; `None` for those that are not yet.
+    placed: Vec<Option<Attachment>>,
+    /// Distance from ground in bodies, by placed body.
+    depth: Vec<usize>,
+    /// For each pin, which of its members are held together by a step or a placement.
+    ties: Vec<Vec<usize>>,
+    /// For each slide, whether its guide was used.
+    guide_used: Vec<bool>,
+    pub(super) steps: Vec<Step>,
+}
+
+/// Where a way stands while it is searched: at the end of its legs, on a body, at a point.
+#[derive(Clone)]
+struct Front {
+    start: (BodyId, Local),
+    legs: Vec<Leg>,
+    /// Body and point in its frame where it was entered.
+    body: BodyId,
+    enter: Local,
+    visited: Vec<BodyId>,
+    unknowns: Vec<BodyId>,
+    /// Pins passed: pin and the two members.
+    ties: Vec<(usize, usize, usize)>,
+    guides: Vec<BodyId>,
+}
+
+impl<'m> Search<'m> {
+    pub(super) fn new(model: &'m Model) -> Self {
+        let count = model.bodies.len();
+        let mut search = Self {
+            model,
+            known: vec![false; count],
+            placed: vec![None; count],
+            depth: vec![0; count],
+            ties: model
+                .pins
+                .iter()
+                .map(|pin| (0..pin.members.len()).collect())
+                .collect(),
+            guide_used: vec![false; count],
+            steps: Vec::new(),
+        };
+        search.known[GROUND] = true;
+        search.placed[GROUND] = Some(Attachment::Root);
+        search
+    }
+
+    /// A variable is known from now on.
+    pub(super) fn learn(&mut self, body: BodyId) {
+        self.known[body] = true;
+    }
+
+    pub(super) fn is_placed(&self, bodies: &[BodyId]) -> bool {
+        bodies.iter().all(|body| self.placed[*body].is_some())
+    }
+
+    /// How all bodies are placed; whatever is not, which the caller has excluded, stays on ground.
+    pub(super) fn attachments(&self) -> Vec<Attachment> {
+        self.placed
+            .iter()
+            .map(|a| a.unwrap_or(Attachment::Root))
+            .collect()
+    }
+
+    /// Places bodies and closes loops as long as that goes on.
+    ///
+    /// # Errors
+    /// Never at present; a redundant joint is judged when its equations are there.
+    pub(super) fn proceed(&mut self) -> Result<(), Vec<Diagnostic>> {
+        loop {
+            self.place_all();
+            let Some(front) = self.shortest_way(2) else {
+                return Ok(());
+            };
+            self.take(front);
+        }
+    }
+
+    /// Places every body that hangs on a placed one by a known variable, the nearest first.
+    fn place_all(&mut self) {
+        while let Some((body, attachment, depth)) = self.next_placement() {
+            self.placed[body] = Some(attachment);
+            self.depth[body] = depth;
+            match attachment {
+                Attachment::Pinned { .. } | Attachment::Root => {}
+                Attachment::Guided { .. } => self.guide_used[body] = true,
+                Attachment::Carried { slide } => self.guide_used[slide] = true,
+            }
+        }
+    }
+
+    fn next_placement(&mut self) -> Option<(BodyId, Attachment, usize)> {
+        let mut best: Option<(usize, BodyId, Attachment, Option<(usize, usize, usize)>)> = None;
+        let mut offer = |depth: usize, body, attachment, tie| {
+            if best.as_ref().is_none_or(|(known, ..)| depth < *known) {
+                best = Some((depth, body, attachment, tie));
+            }
+        };
+        for (index, pin) in self.model.pins.iter().enumerate() {
+            for (a, (parent, there)) in pin.members.iter().enumerate() {
+                if self.placed[*parent].is_none() {
+                    continue;
+                }
+                for (b, (body, here)) in pin.members.iter().enumerate() {
+                    if self.placed[*body].is_some() || !self.angle_known(*body) {
+                        continue;
+                    }
+                    // A slide is placed by a pin only where its own guide does not do it.
+                    if let BodyKind::Slide(slide) = &self.model.bodies[*body].kind
+                        && self.placed[slide.carrier].is_some()
+                    {
+                        continue;
+                    }
+                    let attachment = Attachment::Pinned {
+                        parent: *parent,
+                        there: *there,
+                        here: *here,
+                    };
+                    offer(
+                        self.depth[*parent] + 1,
+                        *body,
+                        attachment,
+                        Some((index, a, b)),
+                    );
+                }
+            }
+        }
+        for (id, body) in self.model.bodies.iter().enumerate() {
+            let BodyKind::Slide(slide) = &body.kind else {
+                continue;
+            };
+            let (on, there) = (
+                self.placed[slide.carrier].is_some(),
+                self.placed[id].is_some(),
+            );
+            if !self.known[id] {
+                continue;
+            }
+            if on && !there {
+                let attachment = Attachment::Guided {
+                    carrier: slide.carrier,
+                };
+                offer(self.depth[slide.carrier] + 1, id, attachment, None);
+            } else if there && !on && self.angle_known(slide.carrier) {
+                offer(
+                    self.depth[id] + 1,
+                    slide.carrier,
+                    Attachment::Carried { slide: id },
+                    None,
+                );
+            }
+        }
+        let (depth, body, attachment, tie) = best?;
+        if let Some((pin, a, b)) = tie {
+            self.tie(pin, a, b);
+        }
+        Some((body, attachment, depth))
+    }
+
+    fn angle_known(&self, body: BodyId) -> bool {
+        turning_link(self.model, body).is_none_or(|link| self.known[link])
+    }
+
+    fn tie(&mut self, pin: usize, a: usize, b: usize) {
+        let ties = &mut self.ties[pin];
+        let (keep, drop) = (ties[a].min(ties[b]), ties[a].max(ties[b]));
+        ties.iter_mut()
+            .filter(|tie| **tie == drop)
+            .for_each(|tie| *tie = keep);
+    }
+
+    /// The shortest way from placed to placed over unplaced bodies with at most `limit` unknowns.
+    fn shortest_way(&self, limit: usize) -> Option<Front> {
+        let mut queue: VecDeque<Front> = VecDeque::new();
+        for (index, pin) in self.model.pins.iter().enumerate() {
+            // From each pin the way starts on one placed body: they all stand in the same place.
+            let Some(a) = (0..pin.members.len()).find(|m| self.placed[pin.members[*m].0].is_some())
+            else {
+                continue;
+            };
+            for (b, (body, enter)) in pin.members.iter().enumerate() {
+                if self.placed[*body].is_none() && self.ties[index][a] != self.ties[index][b] {
+                    queue.push_back(Front {
+                        start: pin.members[a],
+                        legs: Vec::new(),
+                        body: *body,
+                        enter: *enter,
+                        visited: vec![*body],
+                        unknowns: Vec::new(),
+                        ties: vec![(index, a, b)],
+                        guides: Vec::new(),
+                    });
+                }
+            }
+        }
+        for (id, body) in self.model.bodies.iter().enumerate() {
+            let BodyKind::Slide(slide) = &body.kind else {
+                continue;
+            };
+            if self.placed[slide.carrier].is_some() && self.placed[id].is_none() {
+                let front = Front {
+                    start: (slide.carrier, slide.origin),
+                    legs: Vec::new(),
+                    body: slide.carrier,
+                    enter: slide.origin,
+                    visited: Vec::new(),
+                    unknowns: Vec::new(),
+                    ties: Vec::new(),
+                    guides: Vec::new(),
+                };
+                queue.extend(self.along(&front, id, true, limit));
+            }
+        }
+        while let Some(front) = queue.pop_front() {
+            for next in self.onward(&front, limit) {
+                if self.placed[next.body].is_some() {
+                    return Some(next);
+                }
+                queue.push_back(next);
+            }
+        }
+        None
+    }
+
+    /// Every way that goes one joint further.
+    fn onward(&self, front: &Front, limit: usize) -> Vec<Front> {
+        let mut found = Vec::new();
+        for (index, pin) in self.model.pins.iter().enumerate() {
+            let Some(a) = pin.members.iter().position(|(body, _)| *body == front.body) else {
+                continue;
+            };
+            if front.ties.iter().any(|(passed, ..)| *passed == index) {
+                continue;
+            }
+            let leave = pin.members[a].1;
+            let mut arrived = false;
+            for (b, (body, enter)) in pin.members.iter().enumerate() {
+                let is_placed = self.placed[*body].is_some();
+                if b == a || front.visited.contains(body) || (is_placed && arrived) {
+                    continue;
+                }
+                let Some(mut next) = self.across(front, leave, limit) else {
+                    continue;
+                };
+                arrived |= is_placed;
+                next.ties.push((index, a, b));
+                next.body = *body;
+                next.enter = *enter;
+                next.visited.push(*body);
+                found.push(next);
+            }
+        }
+        for (id, body) in self.model.bodies.iter().enumerate() {
+            let BodyKind::Slide(slide) = &body.kind else {
+                continue;
+            };
+            if front.guides.contains(&id) {
+                continue;
+            }
+            if slide.carrier == front.body && !front.visited.contains(&id) {
+                if let Some(next) = self.across(front, slide.origin, limit) {
+                    found.extend(self.along(&next, id, true, limit));
+                }
+            } else if id == front.body && !front.visited.contains(&slide.carrier) {
+                if let Some(next) = self.across(front, Local::Origin, limit) {
+                    found.extend(self.along(&next, id, false, limit));
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether two places of one body are the same.
+    fn same_place(&self, a: Local, b: Local) -> bool {
+        let is_origin = |local: Local| match local {
+            Local::Origin => true,
+            Local::Cartesian(x, y) => self.model.graph.is_zero(x) && self.model.graph.is_zero(y),
+            Local::Polar(radius, _) => self.model.graph.is_zero(radius),
+        };
+        a == b || (is_origin(a) && is_origin(b))
+    }
+
+    /// Across the body at which the way stands.
+    fn across(&self, front: &Front, leave: Local, limit: usize) -> Option<Front> {
+        let mut next = front.clone();
+        if !self.same_place(leave, front.enter) {
+            next.legs.push(Leg::Across {
+                body: front.body,
+                enter: front.enter,
+                leave,
+            });
+            if let Some(link) = turning_link(self.model, front.body) {
+                self.count(&mut next, link);
+            }
+        }
+        (next.unknowns.len() <= limit).then_some(next)
+    }
+
+    /// Along a guide, to the slide or from it to its carrier.
+    fn along(&self, front: &Front, slide: BodyId, outward: bool, limit: usize) -> Option<Front> {
+        let BodyKind::Slide(shape) = &self.model.bodies[slide].kind else {
+            return None;
+        };
+        let mut next = front.clone();
+        next.legs.push(Leg::Along { slide, outward });
+        self.count(&mut next, slide);
+        if let Some(link) = turning_link(self.model, shape.carrier) {
+            self.count(&mut next, link);
+        }
+        next.guides.push(slide);
+        next.body = if outward { slide } else { shape.carrier };
+        next.enter = if outward { Local::Origin } else { shape.origin };
+        next.visited.push(next.body);
+        (next.unknowns.len() <= limit).then_some(next)
+    }
+
+    fn count(&self, front: &mut Front, variable: BodyId) {
+        if !self.known[variable] && !front.unknowns.contains(&variable) {
+            front.unknowns.push(variable);
+        }
+    }
+
+    /// Makes a step of a way that was found.
+    fn take(&mut self, front: Front) {
+        for (pin, a, b) in &front.ties {
+            self.tie(*pin, *a, *b);
+        }
+        for slide in &front.guides {
+            self.guide_used[*slide] = true;
+        }
+        for unknown in &front.unknowns {
+            self.known[*unknown] = true;
+        }
+        let mut way = Way {
+            start: front.start,
+            legs: front.legs,
+            end: (front.body, front.enter),
+            pin: front.ties.last().map(|(pin, ..)| *pin),
+        };
+        let mut unknowns = front.unknowns;
+        // A loop is told in the order of the file.
+        if unknowns.first() > unknowns.last() {
+            way = way.reversed();
+            unknowns.reverse();
+        }
+        self.steps.push(match unknowns[..] {
+            [first, second] => Step::Close {
+                way,
+                unknowns: [first, second],
+            },
+            [only] => Step::Redundant {
+                way,
+                unknown: Some(only),
+            },
+            _ => Step::Redundant { way, unknown: None },
+        });
+    }
+
+    /// The coordinate among `bodies` after which everything closes in closed form, the first in
+    /// the file; else simply the first. `more` further coordinates may be chosen after it.
+    pub(super) fn best_coordinate(&self, bodies: &[BodyId], more: i64) -> Option<BodyId> {
+        let candidates: Vec<BodyId> = bodies
+            .iter()
+            .copied()
+            .filter(|body| !self.known[*body])
+            .collect();
+        let closes = |candidate: &&BodyId| {
+            let mut trial = self.clone();
+            trial.learn(**candidate);
+            if trial.proceed().is_err() {
+                return false;
+            }
+            for _ in 0..more.max(0) {
+                let next = bodies.iter().find(|body| !trial.known[**body]).copied();
+                let Some(next) = next else { break };
+                trial.learn(next);
+                if trial.proceed().is_err() {
+                    return false;
+                }
+            }
+            trial.is_placed(bodies)
+        };
+        candidates
+            .iter()
+            .find(closes)
+            .or(candidates.first())
+            .copied()
+    }
+
+    /// All that is left of `bodies` closes together: a tree over the unplaced bodies, and a loop for
+    /// each joint beside it.
+    ///
+    /// # Errors
+    /// If there are not as many unknown variables as equations.
+    pub(super) fn together(&mut self, bodies: &[BodyId]) -> Result<(), Vec<Diagnostic>> {
+        let mut trial = self.clone();
+        let unknowns: Vec<BodyId> = bodies
+            .iter()
+            .copied()
+            .filter(|body| !self.known[*body])
+            .collect();
+        let before = trial.steps.len();
+        for unknown in &unknowns {
+            trial.known[*unknown] = true;
+        }
+        trial.place_all();
+        trial.leftover_joints();
+        let ways: Vec<Way> = trial
+            .steps
+            .drain(before..)
+            .flat_map(|step| step.ways().to_vec())
+            .collect();
+        if ways.len() * 2 != unknowns.len() || !trial.is_placed(bodies) {
+            let names = loop_names(self.model, &unknowns);
+            let body = unknowns
+                .first()
+                .or(bodies.first())
+                .copied()
+                .unwrap_or(GROUND);
+            return Err(vec![
+                Diagnostic::error(format!(
+                    "{names} cannot move against each other: they are over-constrained"
+                ))
+                .at(self.model.source.site(self.model.bodies[body].span))
+                .hint("remove a link or a pin between them"),
+            ]);
+        }
+        *self = trial;
+        self.steps.push(Step::Together { ways, unknowns });
+        Ok(())
+    }
+
+    /// Joints between placed bodies that nothing used yet: each is a loop without unknowns.
+    pub(super) fn leftover_joints(&mut self) {
+        for index in 0..self.model.pins.len() {
+            let members = &self.model.pins[index].members;
+            for b in 1..members.len() {
+                let placed = [0, b].map(|m| self.placed[members[m].0].is_some());
+                if placed == [true, true] && self.ties[index][0] != self.ties[index][b] {
+                    self.tie(index, 0, b);
+                    let way = Way {
+                        start: members[0],
+                        legs: Vec::new(),
+                        end: members[b],
+                        pin: Some(index),
+                    };
+                    self.steps.push(Step::Redundant { way, unknown: None });
+                }
+            }
+        }
+        for (id, body) in self.model.bodies.iter().enumerate() {
+            let BodyKind::Slide(slide) = &body.kind else {
+                continue;
+            };
+            let both = self.placed[id].is_some() && self.placed[slide.carrier].is_some();
+            if both && !self.guide_used[id] {
+                self.guide_used[id] = true;
+                let way = Way {
+                    start: (slide.carrier, slide.origin),
+                    legs: vec![Leg::Along {
+                        slide: id,
+                        outward: true,
+                    }],
+                    end: (id, Local::Origin),
+                    pin: None,
+                };
+                self.steps.push(Step::Redundant { way, unknown: None });
+            }
+        }
+    }
+}
