@@ -33,8 +33,8 @@ pub(crate) fn include_model(tokens: TokenStream) -> TokenStream {
             let stem = Path::new(&written).file_stem();
             let name = stem.map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
             let message = format!(
-                "model file `{written}` cannot be read: {error}\n = hint: the path is relative to `{}`",
-                root.display()
+                "model file `{written}` cannot be read: {error}\n = hint: the path is relative to \
+                 the root of the crate, where its Cargo.toml is"
             );
             let error = compile_error(&message, input.text.span());
             let skeleton = skeleton(&name, &[], &input.runtime);
