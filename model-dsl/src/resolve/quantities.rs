@@ -208,14 +208,7 @@ impl Resolver<'_> {
             });
         };
         let value = self.scalar(&entry.value, Scope::Constants)?;
-        let (dimension, default) = {
-            let param = &self.model.params[index];
-            (param.dimension, param.default)
-        };
-        // A default of 0 says nothing of the dimension.
-        if self.model.graph.is_zero(default) && dimension == Dimension::NONE {
-            return Ok((index, value.expr));
-        }
+        let dimension = self.model.params[index].dimension;
         let described = dimension.described();
         let what = format!("`{}`", name.text);
         if !value.zero && !value.dimension.same_units(dimension) {
