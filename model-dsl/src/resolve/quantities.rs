@@ -12,7 +12,6 @@ use crate::notation::latex_of;
 use crate::source::Span;
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::tree::{self, Declaration, Entry, File, ItemKind};
-use crate::units::Dimension;
 
 impl Resolver<'_> {
     pub(super) fn params(&mut self, file: &File) {
