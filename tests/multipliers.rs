@@ -11,7 +11,7 @@ use support::four_bars::{Dimensions, Layout};
 use support::multipliers::{Assembly, Mechanism, Surroundings};
 use support::oracle::Prepared;
 use support::random::Random;
-use support::{Compiled, compile, shipped};
+use support::{Compiled, MECHANISMS, compile, mechanism, shipped};
 
 /// How a comparison of many states went.
 #[derive(Debug, Default)]
@@ -267,7 +267,7 @@ fn random_four_bars() {
     );
     println!("{} linkages differ", failures.len());
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert!(tally.states > 3000, "{tally:?}");
+    assert!(tally.states > 2000, "{tally:?}");
     assert!(tally.rejected * 5 < tally.states, "{tally:?}");
     assert!(tally.unreachable * 3 < tally.states, "{tally:?}");
     assert!(seen.iter().flatten().all(|count| *count > 20), "{seen:?}");
@@ -278,13 +278,8 @@ fn random_four_bars() {
 #[test]
 fn other_mechanisms() {
     let mut random = Random::new(5);
-    for name in ["slide_on_link", "cart_pole", "xy_stage", "pressing_arm"] {
-        let path = format!(
-            "{}/tests/mechanisms/{name}.flex",
-            env!("CARGO_MANIFEST_DIR")
-        );
-        let text = std::fs::read_to_string(&path).unwrap();
-        let compiled = compile(&format!("{name}.flex"), &text);
+    for name in MECHANISMS {
+        let compiled = mechanism(name);
         let mut tally = Tally::default();
         for _ in 0..60 {
             let mut params = compiled.oracle.defaults();
@@ -305,7 +300,7 @@ fn other_mechanisms() {
 }
 
 /// Four-bars compared for each layout.
-const LINKAGES_EACH: usize = 100;
+const LINKAGES_EACH: usize = 60;
 
 /// Derivative of `f` at 0 by central differences with steps `h`, `h/2`, `h/4`, `h/8`, extrapolated.
 /// Also by how much the last extrapolation changed it.
@@ -473,5 +468,5 @@ fn derived_terms_of_random_four_bars() {
         failures.len()
     );
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert!(count >= 1500);
+    assert!(count >= 1200);
 }
