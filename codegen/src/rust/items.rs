@@ -29,7 +29,7 @@ pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStrea
         .params
         .iter()
         .map(|param| literal(param.start.unwrap_or(f64::NAN)));
-    let mut namer = Namer::without(&["default", "prepare", "values"]);
+    let mut namer = Namer::without(&["default", "from_values", "prepare", "values"]);
     let sets = program.sets.iter().map(|set| {
         let name = ident(&namer.name(&set.name));
         let doc = format!(
@@ -71,6 +71,12 @@ pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStrea
             /// The values in the order of [`VARIABLES`].
             pub fn values(&self) -> [f64; #count] {
                 [#(self.#fields),*]
+            }
+
+            /// Params of values in the order of [`VARIABLES`].
+            pub fn from_values(values: [f64; #count]) -> Self {
+                let [#(#fields),*] = values;
+                Self { #(#fields),* }
             }
 
             /// Closes the loops and computes everything that depends on params alone.

@@ -55,6 +55,11 @@ pub mod slider_crank {
         pub fn values(&self) -> [f64; 6] {
             [self.r, self.l, self.type_, self.E, self.e, self.β]
         }
+        /// Params of values in the order of [`VARIABLES`].
+        pub fn from_values(values: [f64; 6]) -> Self {
+            let [r, l, type_, E, e, β] = values;
+            Self { r, l, type_, E, e, β }
+        }
         /// Closes the loops and computes everything that depends on params alone.
         ///
         /// # Errors
@@ -200,9 +205,9 @@ pub mod slider_crank {
         let cos_φ2 = (T::from_f64(1.0)
             - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
             .sqrt();
-        let r_per_l_sin_φ1 = p.r_per_l * sin_φ1;
-        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 - sin_φ1 * r_per_l_sin_φ1;
-        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 + cos_φ1 * r_per_l_sin_φ1;
+        let sin_φ2 = -(p.r_per_l * sin_φ1);
+        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
+        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
         let t1 = p.r_type
             * (p.cos_β * cos_φ1_minus_φ2 + p.sin_β * sin_φ1_minus_φ2);
         let t2 = p.type_
@@ -228,9 +233,9 @@ pub mod slider_crank {
         let cos_φ2 = (T::from_f64(1.0)
             - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
             .sqrt();
-        let r_per_l_sin_φ1 = p.r_per_l * sin_φ1;
-        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 - sin_φ1 * r_per_l_sin_φ1;
-        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 + cos_φ1 * r_per_l_sin_φ1;
+        let sin_φ2 = -(p.r_per_l * sin_φ1);
+        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
+        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
         let t1 = (p.sin_β * cos_φ1_minus_φ2 - p.cos_β * sin_φ1_minus_φ2)
             * (p.r_per_l * (cos_φ2.recip() * cos_φ1) + 1.0);
         result[1] = T::from_f64(1.0);
