@@ -43,11 +43,14 @@ fn compare_jacobian(name: &str, system: &dyn System, rhs: &dyn Fn(&Place, usize)
     assert!(compared > 0);
 }
 
+/// Continuous and discrete state.
+type Start = (Vec<f64>, Vec<f64>);
+
 /// Compares what the tape and the compiled model make of a parameter set with one value changed.
 fn compare_refusals(
     name: &str,
     defaults: &[f64],
-    prepare: &dyn Fn(&[f64]) -> Result<(Vec<f64>, Vec<f64>), String>,
+    prepare: &dyn Fn(&[f64]) -> Result<Start, String>,
 ) {
     let tape = flexure_codegen::tape(&flexure_codegen::program(&equations(name)));
     let mut refused = 0;
@@ -81,7 +84,7 @@ fn compare_refusals(
     assert!(refused > defaults.len());
 }
 
-fn start(system: &dyn System) -> (Vec<f64>, Vec<f64>) {
+fn start(system: &dyn System) -> Start {
     let (mut x, mut d) = (
         vec![0.0; system.states().len()],
         vec![0.0; system.discretes().len()],
