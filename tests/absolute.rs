@@ -134,6 +134,8 @@ fn four_bar() -> (Model, Vec<f64>) {
         outputs: Vec::new(),
         stops: Vec::new(),
         measures: Vec::new(),
+        files: Vec::new(),
+        notes: Vec::new(),
     };
     (model, writer.values)
 }

@@ -173,3 +173,15 @@ fn adaptive_steps() {
         assert!(errors[2] < 1e-6, "{}: {errors:?}", trial.name);
     }
 }
+
+/// Without this the trial of the pressing arm would say nothing of lifting off.
+#[test]
+fn the_pressing_arm_lifts_off() {
+    let trial = MORE_TRIALS.iter().find(|t| t.name == "pressing_arm");
+    let until = trial.expect("a trial").until;
+    let system = tape(&mechanism("pressing_arm"), &[]);
+    let run = simulate(&system).until(until).rtol(1e-8).run().unwrap();
+    let events = run.summary().events.len();
+    println!("{events} events");
+    assert!(events >= 2, "lifts off and touches again: {events} events");
+}
