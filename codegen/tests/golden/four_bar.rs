@@ -83,19 +83,18 @@ pub mod four_bar {
         }
         /// Params of values in the order of [`VARIABLES`].
         pub fn from_values(values: [f64; 11]) -> Self {
-            let [E, b, e, r, l1, l2, l3, l4, m1, m2, m3] = values;
             Self {
-                E,
-                b,
-                e,
-                r,
-                l1,
-                l2,
-                l3,
-                l4,
-                m1,
-                m2,
-                m3,
+                E: values[0],
+                b: values[1],
+                e: values[2],
+                r: values[3],
+                l1: values[4],
+                l2: values[5],
+                l3: values[6],
+                l4: values[7],
+                m1: values[8],
+                m2: values[9],
+                m3: values[10],
             }
         }
         /// Closes the loops and computes everything that depends on params alone.

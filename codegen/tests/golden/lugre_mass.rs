@@ -79,18 +79,17 @@ pub mod lugre_mass {
         }
         /// Params of values in the order of [`VARIABLES`].
         pub fn from_values(values: [f64; 10]) -> Self {
-            let [m, k, pull, FN, sigma0, sigma1, sigma2, mu_s, mu_c, v_s] = values;
             Self {
-                m,
-                k,
-                pull,
-                FN,
-                sigma0,
-                sigma1,
-                sigma2,
-                mu_s,
-                mu_c,
-                v_s,
+                m: values[0],
+                k: values[1],
+                pull: values[2],
+                FN: values[3],
+                sigma0: values[4],
+                sigma1: values[5],
+                sigma2: values[6],
+                mu_s: values[7],
+                mu_c: values[8],
+                v_s: values[9],
             }
         }
         /// Closes the loops and computes everything that depends on params alone.

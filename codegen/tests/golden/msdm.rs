@@ -106,26 +106,24 @@ pub mod msdm {
         }
         /// Params of values in the order of [`VARIABLES`].
         pub fn from_values(values: [f64; 17]) -> Self {
-            let [mp, kp, cp, me, ke, ce, ms, Fp, sigma0, sigma1, sigma2, mu_s, mu_c, v_s,
-            f, stroke, rise] = values;
             Self {
-                mp,
-                kp,
-                cp,
-                me,
-                ke,
-                ce,
-                ms,
-                Fp,
-                sigma0,
-                sigma1,
-                sigma2,
-                mu_s,
-                mu_c,
-                v_s,
-                f,
-                stroke,
-                rise,
+                mp: values[0],
+                kp: values[1],
+                cp: values[2],
+                me: values[3],
+                ke: values[4],
+                ce: values[5],
+                ms: values[6],
+                Fp: values[7],
+                sigma0: values[8],
+                sigma1: values[9],
+                sigma2: values[10],
+                mu_s: values[11],
+                mu_c: values[12],
+                v_s: values[13],
+                f: values[14],
+                stroke: values[15],
+                rise: values[16],
             }
         }
         /// Closes the loops and computes everything that depends on params alone.

@@ -54,14 +54,13 @@ pub mod pendulum {
         }
         /// Params of values in the order of [`VARIABLES`].
         pub fn from_values(values: [f64; 6]) -> Self {
-            let [length, width, height, density, k, c] = values;
             Self {
-                length,
-                width,
-                height,
-                density,
-                k,
-                c,
+                length: values[0],
+                width: values[1],
+                height: values[2],
+                density: values[3],
+                k: values[4],
+                c: values[5],
             }
         }
         /// Closes the loops and computes everything that depends on params alone.
