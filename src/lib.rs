@@ -26,9 +26,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The compiler itself is in [`flexure_model_dsl`](model_dsl) and [`flexure_codegen`](codegen),
-//! what simulators run on in [`runtime`]; the `flexure` command stands behind the default feature
-//! `cli`.
+//! The compiler itself is in [`model_dsl`] and [`codegen`], what simulators run on in [`runtime`];
+//! the `flexure` command stands behind the default feature `cli`.
 
 mod assembled;
 mod macros;

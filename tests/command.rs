@@ -292,6 +292,8 @@ fn wrong_settings_are_wrong_calls() {
     wrong(&["--rtol", "1e-6", "--dt", "1us"], &["cannot be used with"]);
     wrong(&["--dt", "0s"], &["above zero"]);
     wrong(&["--every", "-1s"], &["above zero"]);
+    wrong(&["--every", "1e-15s"], &["rows"]);
+    wrong(&["--dt", "1e-15 s"], &["steps"]);
     wrong(&["--plot", "a.png"], &[".svg or .html"]);
     wrong(&["-o", "oscillator.flex"], &["overwrite the model"]);
     wrong(&["-o", "a.svg", "--plot", "a.svg"], &["both"]);

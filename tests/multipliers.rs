@@ -11,7 +11,7 @@ use support::four_bars::{Dimensions, Layout};
 use support::multipliers::{Assembly, Mechanism, Surroundings};
 use support::oracle::Prepared;
 use support::random::Random;
-use support::{Compiled, compile, shipped};
+use support::{Compiled, MECHANISMS, compile, mechanism, shipped};
 
 /// How a comparison of many states went.
 #[derive(Debug, Default)]
@@ -266,11 +266,31 @@ fn random_four_bars() {
         "Grashof types (shortest: ground, crank or rocker, coupler; none turns) by branch: {seen:?}"
     );
     println!("{} linkages differ", failures.len());
+    failures.truncate(5);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert!(tally.states > 3000, "{tally:?}");
+    assert!(tally.states > 2000, "{tally:?}");
     assert!(tally.rejected * 5 < tally.states, "{tally:?}");
     assert!(tally.unreachable * 3 < tally.states, "{tally:?}");
     assert!(seen.iter().flatten().all(|count| *count > 20), "{seen:?}");
+}
+
+/// A crank that has turned several times: springs still measure from the assembled configuration.
+#[test]
+fn after_many_turns() {
+    let layout = Layout::all()[0];
+    let compiled = compile("four_bar.flex", &layout.text());
+    let crank_rocker = [
+        ("gx", 25e-3),
+        ("l1", 10e-3),
+        ("l2", 23e-3),
+        ("l3", 20e-3),
+        ("a2", 0.5),
+    ];
+    let tally = compare(&compiled, &crank_rocker, &crank_rocker, 60, 25.0, 17)
+        .unwrap_or_else(|error| panic!("{error}"));
+    println!("after up to four turns: {tally:?}");
+    assert_eq!((tally.states, tally.unreachable), (60, 0));
+    assert!(tally.rejected < 6, "{tally:?}");
 }
 
 /// Mechanisms that are no four-bars: guides that turn, coupled inertia, slides that carry links and
@@ -278,13 +298,8 @@ fn random_four_bars() {
 #[test]
 fn other_mechanisms() {
     let mut random = Random::new(5);
-    for name in ["slide_on_link", "cart_pole", "xy_stage", "pressing_arm"] {
-        let path = format!(
-            "{}/tests/mechanisms/{name}.flex",
-            env!("CARGO_MANIFEST_DIR")
-        );
-        let text = std::fs::read_to_string(&path).unwrap();
-        let compiled = compile(&format!("{name}.flex"), &text);
+    for name in MECHANISMS {
+        let compiled = mechanism(name);
         let mut tally = Tally::default();
         for _ in 0..60 {
             let mut params = compiled.oracle.defaults();
@@ -305,7 +320,7 @@ fn other_mechanisms() {
 }
 
 /// Four-bars compared for each layout.
-const LINKAGES_EACH: usize = 100;
+const LINKAGES_EACH: usize = 60;
 
 /// Derivative of `f` at 0 by central differences with steps `h`, `h/2`, `h/4`, `h/8`, extrapolated.
 /// Also by how much the last extrapolation changed it.
@@ -472,6 +487,7 @@ fn derived_terms_of_random_four_bars() {
         "{count} linkages, worst {worst:e}, {rejected} too near a dead point, {} differ",
         failures.len()
     );
+    failures.truncate(5);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert!(count >= 1500);
+    assert!(count >= 1200);
 }

@@ -26,7 +26,11 @@ pub fn dot(program: &Program) -> String {
         (Stage::Configuration, "configuration stage"),
         (Stage::State, "state stage"),
     ] {
-        let _ = writeln!(text, "  subgraph {} {{", quoted(&format!("cluster {title}")));
+        let _ = writeln!(
+            text,
+            "  subgraph {} {{",
+            quoted(&format!("cluster {title}"))
+        );
         let _ = writeln!(text, "    label={}", quoted(title));
         for value in all.iter().filter(|value| values.stage(**value) == stage) {
             let label = label(program, &described, *value);

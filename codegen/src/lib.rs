@@ -24,6 +24,7 @@ mod program;
 pub mod report;
 mod rust;
 mod schedule;
+mod symbolic;
 mod tape;
 mod tape_listing;
 mod values;

@@ -184,9 +184,29 @@ impl Values {
         if let [Some(a), Some(b), Some(c)] = constants
             && operation != Operation::Lookup
         {
-            return Some(self.constant(operation.apply(a, b, c, &[])));
+            return Some(self.constant(operation.apply(a, || b, || c, || &[])));
         }
         let [a, b, c] = operands;
+        let negated = |value: Value| match self.node(value) {
+            Node::Apply(Operation::Negate, [inner, ..]) => Some(inner),
+            _ => None,
+        };
+        match operation {
+            Operation::Add => {
+                if let Some(b) = negated(b) {
+                    return Some(self.apply(Operation::Subtract, &[a, b]));
+                }
+                if let Some(a) = negated(a) {
+                    return Some(self.apply(Operation::Subtract, &[b, a]));
+                }
+            }
+            Operation::Subtract => {
+                if let Some(b) = negated(b) {
+                    return Some(self.apply(Operation::Add, &[a, b]));
+                }
+            }
+            _ => {}
+        }
         let is = |index: usize, number: f64| index < arity && constants[index] == Some(number);
         match operation {
             Operation::Negate => match self.node(a) {

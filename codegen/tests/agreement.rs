@@ -26,3 +26,10 @@ fn every_model() {
         check(&equations, 200);
     }
 }
+
+#[test]
+fn every_mechanism_of_the_tests() {
+    for equations in support::models::mechanisms() {
+        check(&equations, 100);
+    }
+}

@@ -43,6 +43,56 @@ fn compare_jacobian(name: &str, system: &dyn System, rhs: &dyn Fn(&Place, usize)
     assert!(compared > 0);
 }
 
+/// Continuous and discrete state.
+type Start = (Vec<f64>, Vec<f64>);
+
+/// Compares what the tape and the compiled model make of a parameter set with one value changed.
+fn compare_refusals(
+    name: &str,
+    defaults: &[f64],
+    prepare: &dyn Fn(&[f64]) -> Result<Start, String>,
+) {
+    let tape = flexure_codegen::tape(&flexure_codegen::program(&equations(name)));
+    let mut refused = 0;
+    for position in 0..defaults.len() {
+        let default = defaults[position];
+        let changes = [
+            0.0,
+            -default,
+            2.0 * default,
+            1e3 * default,
+            1e300,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        for value in changes {
+            let mut params = defaults.to_vec();
+            params[position] = value;
+            let by_tape = tape
+                .prepare(&params)
+                .map(|prepared| start(&prepared))
+                .map_err(|diagnostic| diagnostic.to_string());
+            refused += usize::from(by_tape.is_err());
+            assert_eq!(
+                by_tape,
+                prepare(&params),
+                "{name} with {value} at {position}"
+            );
+        }
+    }
+    println!("{name}: {refused} parameter sets refused");
+    assert!(refused > defaults.len());
+}
+
+fn start(system: &dyn System) -> Start {
+    let (mut x, mut d) = (
+        vec![0.0; system.states().len()],
+        vec![0.0; system.discretes().len()],
+    );
+    system.start(&mut x, &mut d);
+    (x, d)
+}
+
 fn equations(name: &str) -> Equations {
     support::models::all()
         .into_iter()
@@ -68,6 +118,13 @@ macro_rules! golden {
                 let name = stringify!($name);
                 assert!(VARIABLES.len() >= prepared.states().len());
                 compare(&equations(name), &params.values(), &prepared, 200);
+                compare_refusals(name, &params.values(), &|values| {
+                    let values = values.try_into().expect("as many values as params");
+                    match Params::from_values(values).prepare() {
+                        Ok(prepared) => Ok(start(&prepared)),
+                        Err(diagnostic) => Err(diagnostic.to_string()),
+                    }
+                });
                 let dual: Prepared<Dual> = prepared.map(Dual::from_f64);
                 compare_jacobian(name, &prepared, &|place, column| {
                     let constant = |list: &[f64]| -> Vec<Dual> {

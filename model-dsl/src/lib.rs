@@ -1,16 +1,16 @@
 //! From the text of a model file to the equations of motion.
 mod compile;
 pub mod equations;
+pub mod mechanics;
 pub mod model;
 pub mod notation;
 pub mod parts;
 pub mod resolve;
 pub mod source;
+pub mod structure;
 pub mod suggest;
 pub mod symbolic;
 pub mod syntax;
 pub mod units;
-pub mod structure;
-pub mod mechanics;
 
 pub use compile::compile;

@@ -1,10 +1,7 @@
 //! Did you mean … ?
 
 /// The candidate closest to `word`, if one is close enough to be meant; the first among equals.
-pub fn closest<'a>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
     if length > 64 {
         return None;

@@ -140,3 +140,43 @@ fn decimals_are_exact_until_evaluated() {
     assert_eq!(evaluated("let x = 1e-320").0, 1e-320);
     assert_eq!(evaluated("let x = 1.7976931348623157e308").0, f64::MAX);
 }
+
+#[test]
+fn every_unit_of_the_list_can_be_written() {
+    let bases = [
+        "m", "g", "s", "A", "K", "N", "Pa", "J", "W", "V", "C", "F", "ohm", "Ω", "H", "T", "Wb",
+        "Hz", "rad",
+    ];
+    let prefixes = [
+        "", "f", "p", "n", "u", "µ", "μ", "m", "c", "d", "h", "k", "M", "G", "T",
+    ];
+    let mut units: Vec<String> = ["deg", "°", "%"].map(str::to_owned).to_vec();
+    for base in bases {
+        units.extend(prefixes.iter().map(|prefix| format!("{prefix}{base}")));
+    }
+    for unit in units {
+        for chain in [
+            unit.clone(),
+            format!("N*{unit}"),
+            format!("N/{unit}^2"),
+            format!("{unit}²·s"),
+        ] {
+            let (value, written) = evaluated(&format!("let x = 1 {chain}"));
+            let known = flexure_model_dsl::units::Unit::parse(&chain).expect(&chain);
+            assert_eq!(written, known.dimension.si_unit(), "{chain}");
+            assert!(value > 0.0);
+        }
+    }
+}
+
+#[test]
+fn signs_and_blanks_of_word_processors() {
+    assert_eq!(
+        evaluated("let x =\u{A0}7 \u{2212}\u{202F}2\u{A0}×\u{2009}3\r\n").0,
+        1.0
+    );
+    assert_eq!(
+        model("\u{FEFF}model test\r\nparam a = 1\r\noutput b = a\r\n").name,
+        "test"
+    );
+}

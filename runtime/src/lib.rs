@@ -2,10 +2,10 @@
 
 pub mod checks;
 pub mod diagnostic;
-pub mod newton;
 pub mod dual;
 pub mod failure;
 pub mod generated;
+pub mod newton;
 pub mod real;
 pub mod simulate;
 pub mod system;

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flexure::model_dsl::units::Dimension;
+use flexure::model_dsl::units::{Dimension, parse_quantity};
 use flexure::{Design, Model, quantity, split_assignment};
+use num_traits::ToPrimitive;
 
 use super::Failure;
 use super::terminal::Terminal;
@@ -87,14 +88,20 @@ pub fn time(text: &str) -> Result<f64, String> {
 ///
 /// If it is no time, or negative.
 pub fn non_negative_time(text: &str) -> Result<f64, String> {
-    let value = quantity("time", text, Dimension::TIME).map_err(|error| match error.hint {
-        Some(hint) => format!("{}; {hint}", error.message),
-        None => error.message,
-    })?;
-    if value < 0.0 {
-        return Err("a time above zero is wanted".to_owned());
+    let (value, unit) = parse_quantity(text)?;
+    if let Some(unit) = unit
+        && !unit.same_units(Dimension::TIME)
+    {
+        return Err(format!(
+            "{} is wanted, this is {}",
+            Dimension::TIME.described(),
+            unit.described()
+        ));
     }
-    Ok(value)
+    match value.to_f64() {
+        Some(value) if (0.0..f64::INFINITY).contains(&value) => Ok(value),
+        _ => Err("a time above zero is wanted".to_owned()),
+    }
 }
 
 /// A relative tolerance on the command line, for clap.

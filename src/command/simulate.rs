@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flexure::runtime::simulate::{Ending, Simulation, simulate};
+use flexure::runtime::simulate::{BreakdownKind, Ending, Simulation, simulate};
 use flexure::runtime::system::System;
 
 use super::Failure;
@@ -137,12 +137,15 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         Err(breakdown) => {
             if recorded.rows > 0 {
                 terminal.note(format_args!(
-                    "the run failed at t = {}; its {} rows until then are kept",
+                    "the run failed at t = {}; its rows until then are kept: {}",
                     seconds(breakdown.time),
                     recorded.rows
                 ));
             }
-            Err(Failure::model(breakdown.diagnostic()))
+            Err(match breakdown.kind {
+                BreakdownKind::Setting => Failure::setting(breakdown.diagnostic()),
+                _ => Failure::model(breakdown.diagnostic()),
+            })
         }
     }
 }

@@ -56,6 +56,18 @@ pub fn shipped(name: &str) -> Compiled {
     compile(name, &shipped_text(name))
 }
 
+/// Mechanisms made for tests, in `tests/mechanisms`: guides that turn, coupled inertia, slides that
+/// carry links and slides, contacts between slides and contacts that lift off.
+pub const MECHANISMS: [&str; 4] = ["cart_pole", "pressing_arm", "slide_on_link", "xy_stage"];
+
+/// One of [`MECHANISMS`].
+pub fn mechanism(name: &str) -> Compiled {
+    let folder = env!("CARGO_MANIFEST_DIR");
+    let path = format!("{folder}/tests/mechanisms/{name}.flex");
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    compile(name, &text)
+}
+
 /// The names of this repository's models, in order.
 pub fn model_names() -> Vec<String> {
     let folder = format!("{}/models", env!("CARGO_MANIFEST_DIR"));

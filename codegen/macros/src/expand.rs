@@ -33,11 +33,11 @@ pub(crate) fn include_model(tokens: TokenStream) -> TokenStream {
             let stem = Path::new(&written).file_stem();
             let name = stem.map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
             let message = format!(
-                "model file `{written}` cannot be read: {error}\n = hint: the path is relative to `{}`",
-                root.display()
+                "model file `{written}` cannot be read: {error}\n = hint: the path is relative to \
+                 the root of the crate, where its Cargo.toml is"
             );
             let error = compile_error(&message, input.text.span());
-            let skeleton = skeleton(&name, &[], &input.runtime);
+            let skeleton = skeleton(&name, &[], &[], &input.runtime);
             quote!(#error #skeleton)
         }
     }
@@ -90,6 +90,7 @@ fn expand(
     };
     let name = guess::name(&source.text).unwrap_or_else(|| fallback.to_owned());
     let params = guess::params(&source.text);
+    let sets = guess::sets(&source.text);
     let module = match compile(source, &read) {
         Ok((equations, _)) => {
             let texts = Texts {
@@ -104,7 +105,7 @@ fn expand(
             // The compiler writes the first `error:` itself.
             let message = message.strip_prefix("error: ").unwrap_or(&message);
             let error = compile_error(message, input.text.span());
-            let skeleton = skeleton(&name, &params, &input.runtime);
+            let skeleton = skeleton(&name, &params, &sets, &input.runtime);
             quote!(#error #skeleton)
         }
     };

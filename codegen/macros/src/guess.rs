@@ -1,4 +1,4 @@
-//! What can be told of a model that does not compile: its name, and the names of its params.
+//! What can be told of a model that does not compile: its name, and those of its params and sets.
 //!
 //! They go into the skeleton that stands beside the error, so that code that uses the model does
 //! not fail as well.
@@ -28,6 +28,14 @@ pub(crate) fn params(text: &str) -> Vec<String> {
         .collect()
 }
 
+/// Names of sets.
+pub(crate) fn sets(text: &str) -> Vec<String> {
+    text.lines()
+        .filter_map(|line| word(line.trim_start().strip_prefix("set")?))
+        .map(str::to_owned)
+        .collect()
+}
+
 /// The word after blanks.
 fn word(text: &str) -> Option<&str> {
     if !text.starts_with(char::is_whitespace) {
@@ -46,10 +54,10 @@ mod tests {
 
     #[test]
     fn names_are_found_in_what_does_not_compile() {
-        let text =
-            "//! words\n  model rocker # no\nparam a = 1 m, b = 2 furlong \"x = y\"\nmodels x";
+        let text = "//! words\n  model rocker # no\nparam a = 1 m, b = 2 furlong \"x = y\"\nmodels x\nset soft { a = 2 m }";
         assert_eq!(name(text).as_deref(), Some("rocker"));
         assert_eq!(params(text), ["a", "b"]);
+        assert_eq!(sets(text), ["soft"]);
         assert_eq!(name("modelling x"), None);
     }
 }

@@ -12,6 +12,9 @@ use crate::names::Namer;
 use crate::program::{Message, Program};
 use crate::schedule::prepared;
 
+/// Functions of `Params` that a set's name must leave alone.
+pub(super) const METHODS: [&str; 4] = ["default", "from_values", "prepare", "values"];
+
 /// `Params` with its defaults and sets; `prepare` comes from elsewhere.
 pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStream {
     let program = writer.program;
@@ -29,7 +32,7 @@ pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStrea
         .params
         .iter()
         .map(|param| literal(param.start.unwrap_or(f64::NAN)));
-    let mut namer = Namer::without(&["default", "prepare", "values"]);
+    let mut namer = Namer::without(&METHODS);
     let sets = program.sets.iter().map(|set| {
         let name = ident(&namer.name(&set.name));
         let doc = format!(
@@ -52,6 +55,7 @@ pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStrea
         }
     });
     let count = unsuffixed(fields.len());
+    let positions = (0..fields.len()).map(unsuffixed);
     quote! {
         /// What may be set: all in SI units, angles in rad.
         #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +75,12 @@ pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStrea
             /// The values in the order of [`VARIABLES`].
             pub fn values(&self) -> [f64; #count] {
                 [#(self.#fields),*]
+            }
+
+            /// Params of values in the order of [`VARIABLES`].
+            pub fn from_values(values: [f64; #count]) -> Self {
+
+                Self { #(#fields: values[#positions]),* }
             }
 
             /// Closes the loops and computes everything that depends on params alone.

@@ -74,7 +74,7 @@ pub(super) fn prepare(writer: &Writer<'_>) -> (Vec<TokenStream>, Vec<Message>) {
     let assignments = fields.iter().map(|value| {
         let field = ident(&writer.fields[value]);
         let tokens = body.number_tokens(*value);
-        if tokens.to_string() == field.to_string() {
+        if field == tokens.to_string() {
             quote!(#field)
         } else {
             quote!(#field: #tokens)

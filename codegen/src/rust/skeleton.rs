@@ -3,12 +3,18 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expression::ident;
+use super::expression::{ident, unsuffixed};
+use super::items::METHODS;
 use super::{allowed, module_name};
 
 /// A module of that name with the items that every generated module has, so that code that uses
-/// them does not fail as well. `params` are the names that could be read.
-pub fn skeleton(model: &str, params: &[String], runtime: &TokenStream) -> TokenStream {
+/// them does not fail as well. `params` and `sets` are the names that could be read.
+pub fn skeleton(
+    model: &str,
+    params: &[String],
+    sets: &[String],
+    runtime: &TokenStream,
+) -> TokenStream {
     let name = ident(&module_name(model));
     let allowed = allowed();
     let mut namer = crate::names::Namer::default();
@@ -16,6 +22,10 @@ pub fn skeleton(model: &str, params: &[String], runtime: &TokenStream) -> TokenS
         .iter()
         .map(|param| ident(&namer.name(param)))
         .collect();
+    let mut namer = crate::names::Namer::without(&METHODS);
+    let sets: Vec<_> = sets.iter().map(|set| ident(&namer.name(set))).collect();
+    let count = unsuffixed(fields.len());
+    let positions = (0..fields.len()).map(unsuffixed);
     quote! {
         #allowed
         #[doc = " Stands in for a model that has an error."]
@@ -30,6 +40,19 @@ pub fn skeleton(model: &str, params: &[String], runtime: &TokenStream) -> TokenS
             }
 
             impl Params {
+                #(#[doc = ""] pub fn #sets() -> Self { Self::default() })*
+
+                /// The values.
+                pub fn values(&self) -> [f64; #count] {
+                    [#(self.#fields),*]
+                }
+
+                /// Params of values.
+                pub fn from_values(values: [f64; #count]) -> Self {
+
+                    Self { #(#fields: values[#positions]),* }
+                }
+
                 /// Nothing can be prepared.
                 pub fn prepare(&self) -> Result<Prepared<f64>, Diagnostic> {
                     Err(Diagnostic::error("the model has an error"))

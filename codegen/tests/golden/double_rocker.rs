@@ -177,6 +177,43 @@ pub mod double_rocker {
                 self.v_s,
             ]
         }
+        /// Params of values in the order of [`VARIABLES`].
+        pub fn from_values(values: [f64; 32]) -> Self {
+            Self {
+                E: values[0],
+                b: values[1],
+                h: values[2],
+                e: values[3],
+                r: values[4],
+                l1: values[5],
+                l2: values[6],
+                l3: values[7],
+                l4: values[8],
+                m1: values[9],
+                m2: values[10],
+                m3: values[11],
+                beta1: values[12],
+                beta2: values[13],
+                beta3: values[14],
+                mp: values[15],
+                kp: values[16],
+                cp: values[17],
+                ku: values[18],
+                la: values[19],
+                f: values[20],
+                stroke: values[21],
+                rise: values[22],
+                ln: values[23],
+                ms: values[24],
+                Fp: values[25],
+                sigma0: values[26],
+                sigma1: values[27],
+                sigma2: values[28],
+                mu_s: values[29],
+                mu_c: values[30],
+                v_s: values[31],
+            }
+        }
         /// Closes the loops and computes everything that depends on params alone.
         ///
         /// # Errors
@@ -227,16 +264,15 @@ pub mod double_rocker {
             let I3 = m3 * (h_squared + l3_squared) * 0.08333333333333333;
             let l2_minus_l3 = l2 - l3;
             let l2_minus_l3_squared = l2_minus_l3 * l2_minus_l3;
-            let t1 = l1 * 0.17364817766693041;
-            let X_0 = l4 - t1;
-            let X_0_squared = X_0 * X_0;
-            let t2 = l1 * 0.984807753012208;
-            let D_0 = X_0_squared + t2 * t2;
+            let X_0 = l4 - l1 * 0.17364817766693041;
+            let t1 = l1 * 0.984807753012208;
+            let Y_0 = -t1;
+            let D_0 = X_0 * X_0 + Y_0 * Y_0;
             let l2_plus_l3 = l2 + l3;
             let l2_plus_l3_squared = l2_plus_l3 * l2_plus_l3;
-            let t3 = (l2_minus_l3_squared - D_0) * (l2_plus_l3_squared - D_0);
+            let t2 = (l2_minus_l3_squared - D_0) * (l2_plus_l3_squared - D_0);
             let l2_squared_l3_squared = l2_squared * l3_squared;
-            let t4 = t3 * 0.25 / l2_squared_l3_squared;
+            let t3 = t2 * 0.25 / l2_squared_l3_squared;
             let one_minus_rise = 1.0 - rise;
             // distance of the centre of mass from the first end of crank
             let r1 = l1 * 0.5;
@@ -246,64 +282,47 @@ pub mod double_rocker {
             let r2 = l2 * 0.5;
             // constant of the inertia
             let C1 = I2 + m2 * (r2 * r2);
-            let t5 = l2_squared - l3_squared;
-            let κ_0 = (t5 + D_0) * 0.5 / D_0;
-            let t6 = t2 * κ_0;
+            let t4 = l2_squared - l3_squared;
+            let κ_0 = (t4 + D_0) * 0.5 / D_0;
+            let Y_0_κ_0 = Y_0 * κ_0;
             // which way the loop closes: as drawn
-            let s = (X_0 / l3 + t2 / l2).if_positive(1.0, -1.0);
-            let η_0 = s * (-t3).sqrt() * 0.5 / D_0;
+            let s = (X_0 / l3 - Y_0 / l2).if_positive(1.0, -1.0);
+            let η_0 = s * (-t2).sqrt() * 0.5 / D_0;
             let X_0_η_0 = X_0 * η_0;
-            let s3_0 = (t2 - t6 + X_0_η_0) / l3;
+            let s3_0 = (Y_0_κ_0 + t1 + X_0_η_0) / l3;
             let X_0_κ_0 = X_0 * κ_0;
-            let t7 = t2 * η_0;
-            let t8 = (X_0 - X_0_κ_0 - t7) / l3;
-            let c3_0 = -t8;
+            let Y_0_η_0 = Y_0 * η_0;
+            let c3_0 = -((X_0 - X_0_κ_0 + Y_0_η_0) / l3);
             // angle of `rocker` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5707963267948966);
-            let t9 = (1.3962634015954636 - φ3_0).sin();
-            let s2_0 = (X_0_η_0 - t6) / l2;
-            let c2_0 = (X_0_κ_0 + t7) / l2;
+            let t5 = (1.3962634015954636 - φ3_0).sin();
+            let s2_0 = (Y_0_κ_0 + X_0_η_0) / l2;
+            let c2_0 = (X_0_κ_0 - Y_0_η_0) / l2;
             // angle of `coupler` as assembled
             let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.0);
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            let t6 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
-            let t11 = (1.3962634015954636 - φ2_0).sin();
-            let t12 = C0 + l1_squared * C1 * (t9 * t9) / (l2_squared * t10)
-                + l1_squared * C2 * (t11 * t11) / (l3_squared * t10);
+            let t7 = (1.3962634015954636 - φ2_0).sin();
+            let t8 = C0 + l1_squared * C1 * (t5 * t5) / (l2_squared * t6)
+                + l1_squared * C2 * (t7 * t7) / (l3_squared * t6);
             // constant of the inertia
             let C3 = l1 * m2 * r2 * 2.0;
-            let t13 = l1 * C3 * t9 * (beta2 - 1.3962634015954636 + φ2_0).cos()
+            let t9 = l1 * C3 * t5 * (beta2 - 1.3962634015954636 + φ2_0).cos()
                 / (l2 * sin_φ2_0_minus_φ3_0);
-            let t14 = l1_squared * 0.9698463103929541;
-            let t15 = t5 + X_0_squared + t14;
-            let t16 = X_0_squared + t14;
-            let t17 = X_0 * t15 * 0.5 / t16;
-            let t18 = (X_0_squared - l2_minus_l3_squared + t14)
-                * (X_0_squared - l2_plus_l3_squared + t14);
-            let t19 = (-t18).sqrt();
-            let t20 = l1 * s * t19 * 0.492403876506104 / t16;
-            let t21 = t17 + t20;
-            let t22 = l1 * t15 * 0.492403876506104 / t16;
-            let t23 = s * X_0 * t19 * 0.5 / t16;
-            let t24 = t22 - t23;
-            let t25 = (-(s2_0 * t21 / l2 + c2_0 * t24 / l2))
-                .atan2(c2_0 * t21 / l2 - s2_0 * t24 / l2);
-            let t26 = t23 - t22 + t2;
-            let t27 = t1 - l4 + t17 + t20;
-            let t28 = (-(t8 * t26 / l3 + s3_0 * t27 / l3))
-                .atan2(s3_0 * t26 / l3 - t8 * t27 / l3);
-            let t29 = rise.if_positive(0.0, one_minus_rise.if_positive(1.0, 0.0));
+            // inertia as assembled
+            let A_crank_0 = t8 - t9;
+            let t10 = rise.if_positive(0.0, one_minus_rise.if_positive(1.0, 0.0));
             let (sin_beta2, cos_beta2) = beta2.sin_cos();
             let sqrt_e = e.sqrt();
             let sqrt_e_squared = sqrt_e * sqrt_e;
-            let t30 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
+            let t11 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
                 * 0.07073553026306459;
             // stiffness of a hinge
-            let k = t30 / r.sqrt();
+            let k = t11 / r.sqrt();
             let (sin_beta1, cos_beta1) = beta1.sin_cos();
             let (sin_beta3, cos_beta3) = beta3.sin_cos();
             let F_C = mu_c * Fp;
@@ -312,141 +331,48 @@ pub mod double_rocker {
             let F_S_minus_F_C = F_S - F_C;
             let rise_minus_one = rise - 1.0;
             let stroke_f = stroke * f;
-            let dddx_stack_dx_stack = -((ku + kp) / mp);
-            let dddx_stack_ddx_stack = -(cp / mp);
-            if !(1e300 - E.abs() >= 0.0) {
-                return Err(FAILURES[0].diagnostic(&[E]));
-            }
-            if !(1e300 - b.abs() >= 0.0) {
-                return Err(FAILURES[1].diagnostic(&[b]));
-            }
-            if !(1e300 - h.abs() >= 0.0) {
-                return Err(FAILURES[2].diagnostic(&[h]));
-            }
-            if !(1e300 - e.abs() >= 0.0) {
-                return Err(FAILURES[3].diagnostic(&[e]));
-            }
-            if !(1e300 - r.abs() >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[r]));
-            }
-            if !(1e300 - l1.abs() >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[l1]));
-            }
-            if !(1e300 - l2.abs() >= 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l2]));
-            }
-            if !(1e300 - l3.abs() >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[l3]));
-            }
-            if !(1e300 - l4.abs() >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[l4]));
-            }
-            if !(1e300 - m1.abs() >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[m1]));
-            }
-            if !(1e300 - m2.abs() >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[m2]));
-            }
-            if !(1e300 - m3.abs() >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[m3]));
-            }
-            if !(1e300 - beta1.abs() >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[beta1]));
-            }
-            if !(1e300 - beta2.abs() >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[beta2]));
-            }
-            if !(1e300 - beta3.abs() >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[beta3]));
-            }
-            if !(1e300 - mp.abs() >= 0.0) {
-                return Err(FAILURES[15].diagnostic(&[mp]));
-            }
-            if !(1e300 - kp.abs() >= 0.0) {
-                return Err(FAILURES[16].diagnostic(&[kp]));
-            }
-            if !(1e300 - cp.abs() >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[cp]));
-            }
-            if !(1e300 - ku.abs() >= 0.0) {
-                return Err(FAILURES[18].diagnostic(&[ku]));
-            }
-            if !(1e300 - la.abs() >= 0.0) {
-                return Err(FAILURES[19].diagnostic(&[la]));
-            }
-            if !(1e300 - f.abs() >= 0.0) {
-                return Err(FAILURES[20].diagnostic(&[f]));
-            }
-            if !(1e300 - stroke.abs() >= 0.0) {
-                return Err(FAILURES[21].diagnostic(&[stroke]));
-            }
-            if !(1e300 - rise.abs() >= 0.0) {
-                return Err(FAILURES[22].diagnostic(&[rise]));
-            }
-            if !(1e300 - ln.abs() >= 0.0) {
-                return Err(FAILURES[23].diagnostic(&[ln]));
-            }
-            if !(1e300 - ms.abs() >= 0.0) {
-                return Err(FAILURES[24].diagnostic(&[ms]));
-            }
-            if !(1e300 - Fp.abs() >= 0.0) {
-                return Err(FAILURES[25].diagnostic(&[Fp]));
-            }
-            if !(1e300 - sigma0.abs() >= 0.0) {
-                return Err(FAILURES[26].diagnostic(&[sigma0]));
-            }
-            if !(1e300 - sigma1.abs() >= 0.0) {
-                return Err(FAILURES[27].diagnostic(&[sigma1]));
-            }
-            if !(1e300 - sigma2.abs() >= 0.0) {
-                return Err(FAILURES[28].diagnostic(&[sigma2]));
-            }
-            if !(1e300 - mu_s.abs() >= 0.0) {
-                return Err(FAILURES[29].diagnostic(&[mu_s]));
-            }
-            if !(1e300 - mu_c.abs() >= 0.0) {
-                return Err(FAILURES[30].diagnostic(&[mu_c]));
-            }
-            if !(1e300 - v_s.abs() >= 0.0) {
-                return Err(FAILURES[31].diagnostic(&[v_s]));
-            }
+            let dF_ceramic_dx_stack = -kp;
+            let dQ_stack_dx_stack = dF_ceramic_dx_stack - ku;
+            let dddx_stack_dx_stack = dQ_stack_dx_stack / mp;
+            let dF_ceramic_ddx_stack = -cp;
+            let dddx_stack_ddx_stack = dF_ceramic_ddx_stack / mp;
             if !(l1 > 0.0) {
-                return Err(FAILURES[32].diagnostic(&[l1]));
+                return Err(FAILURES[0].diagnostic(&[l1]));
             }
             if !(m1 >= 0.0) {
-                return Err(FAILURES[33].diagnostic(&[m1]));
+                return Err(FAILURES[1].diagnostic(&[m1]));
             }
             if !(I1 >= 0.0) {
-                return Err(FAILURES[34].diagnostic(&[I1]));
+                return Err(FAILURES[2].diagnostic(&[I1]));
             }
             if !(l2 > 0.0) {
-                return Err(FAILURES[35].diagnostic(&[l2]));
+                return Err(FAILURES[3].diagnostic(&[l2]));
             }
             if !(m2 >= 0.0) {
-                return Err(FAILURES[36].diagnostic(&[m2]));
+                return Err(FAILURES[4].diagnostic(&[m2]));
             }
             if !(I2 >= 0.0) {
-                return Err(FAILURES[37].diagnostic(&[I2]));
+                return Err(FAILURES[5].diagnostic(&[I2]));
             }
             if !(l3 > 0.0) {
-                return Err(FAILURES[38].diagnostic(&[l3]));
+                return Err(FAILURES[6].diagnostic(&[l3]));
             }
             if !(m3 >= 0.0) {
-                return Err(FAILURES[39].diagnostic(&[m3]));
+                return Err(FAILURES[7].diagnostic(&[m3]));
             }
             if !(I3 >= 0.0) {
-                return Err(FAILURES[40].diagnostic(&[I3]));
+                return Err(FAILURES[8].diagnostic(&[I3]));
             }
             if !(mp >= 0.0) {
-                return Err(FAILURES[41].diagnostic(&[mp]));
+                return Err(FAILURES[9].diagnostic(&[mp]));
             }
             if !(ms >= 0.0) {
-                return Err(FAILURES[42].diagnostic(&[ms]));
+                return Err(FAILURES[10].diagnostic(&[ms]));
             }
-            if !(-t4 >= 0.0) {
+            if !(-t3 >= 0.0) {
                 let sqrt_D_0 = D_0.sqrt();
                 return Err(
-                    FAILURES[43]
+                    FAILURES[11]
                         .diagnostic(
                             &[
                                 (sqrt_D_0 - l2 - l3).larger(l2_minus_l3.abs() - sqrt_D_0),
@@ -457,10 +383,10 @@ pub mod double_rocker {
                         ),
                 );
             }
-            if !(-(t4 + 1e-12) > 0.0) {
+            if !(-(t3 + 1e-12) > 0.0) {
                 let sqrt_D_0_2 = D_0.sqrt();
                 return Err(
-                    FAILURES[44]
+                    FAILURES[12]
                         .diagnostic(
                             &[
                                 (sqrt_D_0_2 - l2 - l3)
@@ -473,47 +399,47 @@ pub mod double_rocker {
                 );
             }
             if !(f > 0.0) {
-                return Err(FAILURES[45].diagnostic(&[f]));
+                return Err(FAILURES[13].diagnostic(&[f]));
             }
             if !(rise >= 0.0) {
-                return Err(FAILURES[46].diagnostic(&[rise]));
+                return Err(FAILURES[14].diagnostic(&[rise]));
             }
             if !(one_minus_rise >= 0.0) {
-                return Err(FAILURES[47].diagnostic(&[rise]));
+                return Err(FAILURES[15].diagnostic(&[rise]));
             }
             if !(sigma0 > 0.0) {
-                return Err(FAILURES[48].diagnostic(&[sigma0]));
+                return Err(FAILURES[16].diagnostic(&[sigma0]));
             }
             if !(sigma1 >= 0.0) {
-                return Err(FAILURES[49].diagnostic(&[sigma1]));
+                return Err(FAILURES[17].diagnostic(&[sigma1]));
             }
             if !(sigma2 >= 0.0) {
-                return Err(FAILURES[50].diagnostic(&[sigma2]));
+                return Err(FAILURES[18].diagnostic(&[sigma2]));
             }
             if !(mu_s > 0.0) {
-                return Err(FAILURES[51].diagnostic(&[mu_s]));
+                return Err(FAILURES[19].diagnostic(&[mu_s]));
             }
             if !(mu_c > 0.0) {
-                return Err(FAILURES[52].diagnostic(&[mu_c]));
+                return Err(FAILURES[20].diagnostic(&[mu_c]));
             }
             if !(v_s > 0.0) {
-                return Err(FAILURES[53].diagnostic(&[v_s]));
+                return Err(FAILURES[21].diagnostic(&[v_s]));
             }
             if !(Fp > 0.0) {
-                return Err(FAILURES[54].diagnostic(&[Fp]));
+                return Err(FAILURES[22].diagnostic(&[Fp]));
             }
-            if !(t12 - t13 > 0.0) {
-                return Err(FAILURES[55].diagnostic(&[]));
+            if !(A_crank_0 > 0.0) {
+                return Err(FAILURES[23].diagnostic(&[]));
             }
             if !(mp > 0.0) {
-                return Err(FAILURES[56].diagnostic(&[]));
+                return Err(FAILURES[24].diagnostic(&[]));
             }
             if !(ms > 0.0) {
-                return Err(FAILURES[57].diagnostic(&[]));
+                return Err(FAILURES[25].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.3962634015954636, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-                start_discretes: [t25.unwrap_to(0.0), t28.unwrap_to(0.0), 0.0, t29],
+                start_discretes: [0.0, 0.0, 0.0, t10],
                 l1,
                 l2,
                 l3,
@@ -531,7 +457,7 @@ pub mod double_rocker {
                 sigma1,
                 sigma2,
                 C0,
-                constant1: t5,
+                constant1: t4,
                 l2_minus_l3_squared,
                 l2_plus_l3_squared,
                 half_s: s * 0.5,
@@ -548,7 +474,7 @@ pub mod double_rocker {
                 k,
                 c2_0,
                 s2_0,
-                constant2: t8,
+                c3_0,
                 s3_0,
                 cos_beta1,
                 sin_beta1,
@@ -562,13 +488,13 @@ pub mod double_rocker {
                 per_sigma0: sigma0.recip(),
                 two_C1: C1 * 2.0,
                 two_C2: C2 * 2.0,
-                constant3: stroke / rise_minus_one,
+                constant2: stroke / rise_minus_one,
                 stroke_per_rise: stroke / rise,
-                constant4: stroke_f / rise_minus_one,
+                constant3: stroke_f / rise_minus_one,
                 stroke_f_per_rise: stroke_f / rise,
                 per_mp: mp.recip(),
                 per_ms: ms.recip(),
-                constant5: F_S_minus_F_C * 2.0 / (sigma0 * v_s_squared),
+                constant4: F_S_minus_F_C * 2.0 / (sigma0 * v_s_squared),
                 two_C3: C3 * 2.0,
                 la_ku: la * ku,
                 dddx_stack_dx_stack,
@@ -581,9 +507,9 @@ pub mod double_rocker {
                 half_sigma0: sigma0 * 0.5,
                 per_f: f.recip(),
                 one_minus_rise,
-                constant6: t29,
-                constant7: one_minus_rise.if_positive(1.0, t29),
-                constant8: 0.25 / l2_squared_l3_squared,
+                constant5: t10,
+                constant6: one_minus_rise.if_positive(1.0, t10),
+                constant7: 0.25 / l2_squared_l3_squared,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -665,8 +591,8 @@ pub mod double_rocker {
         pub c2_0: T,
         /// `s2⁰`
         pub s2_0: T,
-        /// `(X⁰ - X⁰ * κ⁰ - 0.984807753012208 * l1 * η⁰) / l3`
-        pub constant2: T,
+        /// `c3⁰`
+        pub c3_0: T,
         /// `s3⁰`
         pub s3_0: T,
         /// `cos(beta1)`
@@ -694,11 +620,11 @@ pub mod double_rocker {
         /// `2.0 * C2`
         pub two_C2: T,
         /// `stroke / (rise - 1.0)`
-        pub constant3: T,
+        pub constant2: T,
         /// `stroke / rise`
         pub stroke_per_rise: T,
         /// `stroke * f / (rise - 1.0)`
-        pub constant4: T,
+        pub constant3: T,
         /// `stroke * f / rise`
         pub stroke_f_per_rise: T,
         /// `1.0 / mp`
@@ -706,7 +632,7 @@ pub mod double_rocker {
         /// `1.0 / ms`
         pub per_ms: T,
         /// `2.0 * (F_S - F_C) / (sigma0 * v_s * v_s)`
-        pub constant5: T,
+        pub constant4: T,
         /// `2.0 * C3`
         pub two_C3: T,
         /// `la * ku`
@@ -732,11 +658,11 @@ pub mod double_rocker {
         /// `1.0 - rise`
         pub one_minus_rise: T,
         /// `if_positive(rise, 0.0, if_positive(1.0 - rise, 1.0, 0.0))`
-        pub constant6: T,
+        pub constant5: T,
         /// `if_positive(1.0 - rise, 1.0, if_positive(rise, 0.0, if_positive(1.0 - rise, 1.0,…`
-        pub constant7: T,
+        pub constant6: T,
         /// `0.25 / (l2 * l2 * l3 * l3)`
-        pub constant8: T,
+        pub constant7: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -778,7 +704,7 @@ pub mod double_rocker {
                 k: turn(self.k),
                 c2_0: turn(self.c2_0),
                 s2_0: turn(self.s2_0),
-                constant2: turn(self.constant2),
+                c3_0: turn(self.c3_0),
                 s3_0: turn(self.s3_0),
                 cos_beta1: turn(self.cos_beta1),
                 sin_beta1: turn(self.sin_beta1),
@@ -792,13 +718,13 @@ pub mod double_rocker {
                 per_sigma0: turn(self.per_sigma0),
                 two_C1: turn(self.two_C1),
                 two_C2: turn(self.two_C2),
-                constant3: turn(self.constant3),
+                constant2: turn(self.constant2),
                 stroke_per_rise: turn(self.stroke_per_rise),
-                constant4: turn(self.constant4),
+                constant3: turn(self.constant3),
                 stroke_f_per_rise: turn(self.stroke_f_per_rise),
                 per_mp: turn(self.per_mp),
                 per_ms: turn(self.per_ms),
-                constant5: turn(self.constant5),
+                constant4: turn(self.constant4),
                 two_C3: turn(self.two_C3),
                 la_ku: turn(self.la_ku),
                 dddx_stack_dx_stack: turn(self.dddx_stack_dx_stack),
@@ -811,9 +737,9 @@ pub mod double_rocker {
                 half_sigma0: turn(self.half_sigma0),
                 per_f: turn(self.per_f),
                 one_minus_rise: turn(self.one_minus_rise),
+                constant5: turn(self.constant5),
                 constant6: turn(self.constant6),
                 constant7: turn(self.constant7),
-                constant8: turn(self.constant8),
             }
         }
     }
@@ -839,73 +765,81 @@ pub mod double_rocker {
         let xp_falling = d[3];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - l1_cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = (s2 * t2 + c2 * s3).recip();
-        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let Y_η = Y * η;
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        let t2 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -t2;
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        let t3 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let ω3 = -t3;
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
-        let t5 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        let t4 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
         // inertia
-        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3) - p.C3 * (t4 * t5);
-        let t6 = φ1 - 1.3962634015954636;
-        let t7 = t4 + 1.0;
-        let t8 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω2 * t4);
+        let t5 = φ1 - 1.3962634015954636;
+        let ω2_minus_one = ω2 - 1.0;
+        let t6 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t8.unwrap_to(turn_coupler);
-        let t9 = p.k * (t7 * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0));
-        let t10 = t4 + ω3;
-        let t11 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        let φ2_minus_φ2_0 = t6.unwrap_to(turn_coupler);
+        let t7 = ω2_minus_one
+            * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0);
+        let t8 = t3 - t2;
+        let t9 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t11.unwrap_to(turn_rocker);
+        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
+        let t10 = p.k * t5 + p.k * t7 + p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
         // springs
-        let dP_s_dφ1 = p.k * t6 - t9 - p.k * (t10 * (φ2_minus_φ2_0 - φ3_minus_φ3_0))
-            + p.k * (φ3_minus_φ3_0 * ω3);
-        let t12 = l1_cos_φ1 - p.r2 * (t4 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
-        let t13 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t12;
+        let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
+        let t11 = l1_cos_φ1 + p.r2 * (ω2 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
+        let t12 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t11;
         // gravity
-        let dP_g_dφ1 = (t13 - p.m3_r3 * (ω3 * (p.cos_beta3 * t2 + p.sin_beta3 * s3)))
+        let dP_g_dφ1 = (t12 + p.m3_r3 * (ω3 * (p.cos_beta3 * c3 - p.sin_beta3 * s3)))
             * 9.81;
         // potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         // displacement of `A`
         let x_A = p.la
-            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t6 * 0.5).sin() * 2.0);
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t5 * 0.5).sin() * 2.0);
         // force of `joint` on its second end
         let F_joint = p.ku * (x_stack - x_A);
-        let t14 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 - p.ln * (t4 * c2));
-        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t4 * s2);
-        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
-        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
-        let t15 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
-            - p.l2 * (t4 * t10 * cos_φ2_minus_φ3);
-        let t16 = p.per_l2 * (t3 * t15);
-        let t17 = p.l3 * (ω3 * t10 * cos_φ2_minus_φ3)
-            - p.l1 * (cos_φ1_minus_φ2 * t7);
-        let t18 = p.two_C1 * (t4 * t16) - p.two_C2 * (ω3 * (p.per_l3 * (t3 * t17)))
-            - p.C3 * (t16 * t5);
-        let t19 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
+        let t13 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 + p.ln * (ω2 * c2));
+        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
+        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
+        let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
+        let t14 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+            - p.l2 * (ω2 * t8 * cos_φ2_minus_φ3);
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t14);
+        let t15 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+            - p.l3 * (ω3 * t8 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t15);
+        let t16 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+            + p.C3 * (ω2_prime * t4);
+        let t17 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
         // its derivative
-        let dA_dφ1 = t18 - p.C3 * (t4 * t7 * t19);
+        let dA_dφ1 = t16 - p.C3 * (ω2 * ω2_minus_one * t17);
         // ── state ──
         // slip velocity of `tip`
         let v = dv_ddφ1 * dφ1 - dx_stage;
@@ -915,18 +849,18 @@ pub mod double_rocker {
         // friction force of `tip` on its second end
         let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
         // generalized torque of all other forces
-        let τ = t14 - dv_ddφ1 * F_f;
+        let τ = t13 - dv_ddφ1 * F_f;
         let ddφ1 = -(A.recip() * (dP_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
         let xp_falling_minus_half = xp_falling - 0.5;
         let f_t = p.f * t;
         // drive `xp`
         let xp = xp_falling_minus_half
             .if_positive(
-                -(p.constant3 * (xp_cycle + 1.0 - f_t)),
+                -(p.constant2 * (xp_cycle + 1.0 - f_t)),
                 -(p.stroke_per_rise * (xp_cycle - f_t)),
             );
         // rate of the drive `xp`
-        let dxp = xp_falling_minus_half.if_positive(p.constant4, p.stroke_f_per_rise);
+        let dxp = xp_falling_minus_half.if_positive(p.constant3, p.stroke_f_per_rise);
         // force of `ceramic` on its second end
         let F_ceramic = p.kp * (xp - x_stack) - p.cp * (dx_stack - dxp);
         // generalized force of all other forces
@@ -960,114 +894,129 @@ pub mod double_rocker {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - l1_cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = s2 * t2 + c2 * s3;
-        let t4 = t3.recip();
-        let t5 = sin_φ1 * t2 + cos_φ1 * s3;
-        let t6 = p.l1_per_l2 * (t4 * t5);
-        let t7 = t6 * t6;
+        let Y_η = Y * η;
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        let t2 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -t2;
+        let ω2_squared = ω2 * ω2;
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        let t3 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t4 * sin_φ1_minus_φ2);
+        let ω3 = -t3;
         let ω3_squared = ω3 * ω3;
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
-        let t8 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        let t4 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
         // inertia
-        let A = p.C0 + p.C1 * t7 + p.C2 * ω3_squared - p.C3 * (t6 * t8);
-        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
+        let A = p.C0 + p.C1 * ω2_squared + p.C2 * ω3_squared + p.C3 * (ω2 * t4);
+        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let ω3_minus_one = ω3 - 1.0;
-        let t9 = t6 + ω3;
-        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
-        let t10 = p.l1 * (cos_φ1_minus_φ3 * ω3_minus_one)
-            - p.l2 * (t6 * t9 * cos_φ2_minus_φ3);
-        let t11 = p.per_l2 * (t4 * t10);
-        let t12 = t6 * t11;
-        let t13 = t6 + 1.0;
-        let t14 = p.l3 * (ω3 * t9 * cos_φ2_minus_φ3)
-            - p.l1 * (cos_φ1_minus_φ2 * t13);
-        let t15 = p.per_l3 * (t4 * t14);
-        let t16 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
+        let t5 = t3 - t2;
+        let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
+        let t6 = p.l1 * (cos_φ1_minus_φ3 * ω3_minus_one)
+            - p.l2 * (ω2 * t5 * cos_φ2_minus_φ3);
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t6);
+        let ω2_ω2_prime = ω2 * ω2_prime;
+        let ω2_minus_one = ω2 - 1.0;
+        let t7 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+            - p.l3 * (ω3 * t5 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t7);
+        let t8 = p.two_C1 * ω2_ω2_prime + p.two_C2 * (ω3 * ω3_prime)
+            + p.C3 * (ω2_prime * t4);
+        let t9 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
         // its derivative
-        let dA_dφ1 = p.two_C1 * t12 - p.two_C2 * (ω3 * t15) - p.C3 * (t11 * t8)
-            - p.C3 * (t6 * t13 * t16);
-        let t17 = φ1 - 1.3962634015954636;
-        let t18 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let dA_dφ1 = t8 - p.C3 * (ω2 * ω2_minus_one * t9);
+        let t10 = φ1 - 1.3962634015954636;
+        let t11 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t18.unwrap_to(turn_coupler);
-        let t19 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
-        let t20 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        let φ2_minus_φ2_0 = t11.unwrap_to(turn_coupler);
+        let t12 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t13 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t20.unwrap_to(turn_rocker);
-        let t21 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
+        let φ3_minus_φ3_0 = t13.unwrap_to(turn_rocker);
+        let t14 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
         // springs
-        let dP_s_dφ1 = p.k * t17 - p.k * (t13 * t19) - p.k * (t9 * t21)
+        let dP_s_dφ1 = p.k * t10 + p.k * (ω2_minus_one * t12) + p.k * (t5 * t14)
             + p.k * (φ3_minus_φ3_0 * ω3);
-        let t22 = p.cos_beta2 * c2 - p.sin_beta2 * s2;
-        let t23 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1)
-            + p.m2 * (l1_cos_φ1 - p.r2 * (t6 * t22));
-        let t24 = p.cos_beta3 * t2 + p.sin_beta3 * s3;
+        let t15 = p.cos_beta2 * c2 - p.sin_beta2 * s2;
+        let t16 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1)
+            + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * t15));
+        let t17 = p.cos_beta3 * c3 - p.sin_beta3 * s3;
         // gravity
-        let dP_g_dφ1 = (t23 - p.m3_r3 * (ω3 * t24)) * 9.81;
+        let dP_g_dφ1 = (t16 + p.m3_r3 * (ω3 * t17)) * 9.81;
         // potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         // displacement of `A`
         let x_A = p.la
-            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t17 * 0.5).sin() * 2.0);
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t10 * 0.5).sin() * 2.0);
         // force of `joint` on its second end
         let F_joint = p.ku * (x_stack - x_A);
-        let t25 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 - p.ln * (t6 * c2));
-        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t6 * s2);
+        let t18 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 + p.ln * (ω2 * c2));
+        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
         let per_A = A.recip();
-        let t26 = t13 * t13;
-        let t27 = t15 - t11;
-        let t28 = t9 * t9;
-        let t29 = p.k - p.k * (t11 * t19) + p.k * t26 + p.k * (t21 * t27) + p.k * t28;
-        let ddP_s_dφ1_dφ1 = t29 + p.k * ω3_squared - p.k * (φ3_minus_φ3_0 * t15);
-        let t30 = l1_sin_φ1 + p.r2 * (t11 * t22)
-            + p.r2 * (t7 * (p.cos_beta2 * s2 + p.sin_beta2 * c2));
-        let t31 = p.m1_r1 * (p.cos_beta1 * sin_φ1 + p.sin_beta1 * cos_φ1) + p.m2 * t30;
-        let t32 = t31 - p.m3_r3 * (t15 * t24)
-            + p.m3_r3 * (ω3_squared * (p.cos_beta3 * s3 - p.sin_beta3 * t2));
-        let ddP_dφ1_dφ1 = ddP_s_dφ1_dφ1 - t32 * 9.81;
+        let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
+        let ω2_prime_minus_ω3_prime = ω2_prime - ω3_prime;
+        let t19 = p.k + p.k * (ω2_prime * t12) + p.k * ω2_minus_one_squared
+            + p.k * (t14 * ω2_prime_minus_ω3_prime);
+        let t20 = t5 * t5;
+        let ddP_s_dφ1_dφ1 = t19 + p.k * t20 + p.k * ω3_squared
+            + p.k * (φ3_minus_φ3_0 * ω3_prime);
+        let t21 = l1_sin_φ1 - p.r2 * (ω2_prime * t15)
+            + p.r2 * (ω2_squared * (p.cos_beta2 * s2 + p.sin_beta2 * c2));
+        let t22 = p.m1_r1 * (p.cos_beta1 * sin_φ1 + p.sin_beta1 * cos_φ1) + p.m2 * t21;
+        let t23 = t22 - p.m3_r3 * (ω3_prime * t17)
+            + p.m3_r3 * (ω3_squared * (p.cos_beta3 * s3 + p.sin_beta3 * c3));
+        let ddP_dφ1_dφ1 = ddP_s_dφ1_dφ1 - t23 * 9.81;
         let dx_A_dφ1 = p.la * sin_φ1;
         let dQ_stack_dφ1 = p.ku * dx_A_dφ1;
-        let t33 = p.la * (cos_φ1 * F_joint) - p.la * (sin_φ1 * dQ_stack_dφ1)
-            + p.Fp * (l1_sin_φ1 + p.ln * (t11 * c2) + p.ln * (t7 * s2));
-        let t34 = l1_cos_φ1 - p.ln * (t11 * s2) + p.ln * (t7 * c2);
-        let t35 = (t3 * t3).recip() * t9 * cos_φ2_minus_φ3;
-        let t36 = p.l2 * (t6 * cos_φ2_minus_φ3 * t27)
-            - p.l1 * (t5 * (ω3_minus_one * ω3_minus_one));
-        let t37 = t9 * cos_φ2_minus_φ3;
-        let t38 = t36 - p.l1 * (cos_φ1_minus_φ3 * t15) - p.l2 * (t37 * t11)
-            + p.l2 * (t3 * t6 * t28);
-        let dω2_prime_dφ1 = p.per_l2 * (t35 * t10) - p.per_l2 * (t4 * t38);
-        let t39 = p.l1 * (sin_φ1_minus_φ2 * t26) - p.l1 * (t11 * cos_φ1_minus_φ2)
-            - p.l3 * (t37 * t15);
-        let t40 = t39 - p.l3 * (ω3 * cos_φ2_minus_φ3 * t27) - p.l3 * (t3 * ω3 * t28);
-        let dω3_prime_dφ1 = p.per_l3 * (t35 * t14) - p.per_l3 * (t4 * t40);
-        let t41 = (p.C1 * (t11 * t11) - p.C1 * (t6 * dω2_prime_dφ1)) * 2.0
-            + (p.C2 * (t15 * t15) + p.C2 * (ω3 * dω3_prime_dφ1)) * 2.0;
-        let t42 = t41 + p.C3 * (t8 * dω2_prime_dφ1) - p.two_C3 * (t11 * t13 * t16)
-            - p.C3 * (t12 * t16);
-        let ddA_dφ1_dφ1 = t42 + p.C3 * (t6 * t26 * t8);
+        let dF_joint_dφ1 = -dQ_stack_dφ1;
+        let t24 = p.Fp
+            * (l1_sin_φ1 - p.ln * (ω2_prime * c2) + p.ln * (ω2_squared * s2));
+        let t25 = l1_cos_φ1 + p.ln * (ω2_prime * s2) + p.ln * (ω2_squared * c2);
+        let t26 = p.l1 * (sin_φ1_minus_φ3 * (ω3_minus_one * ω3_minus_one))
+            + p.l1 * (cos_φ1_minus_φ3 * ω3_prime);
+        let t27 = t5 * cos_φ2_minus_φ3;
+        let t28 = t26 - p.l2 * (t27 * ω2_prime)
+            - p.l2 * (ω2 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
+        let t29 = p.per_l2
+            * (per_sin_φ2_minus_φ3 * (t28 + p.l2 * (sin_φ2_minus_φ3 * ω2 * t20)));
+        let t30 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t5
+            * cos_φ2_minus_φ3;
+        let dω2_prime_dφ1 = t29 - p.per_l2 * (t30 * t6);
+        let t31 = p.l1 * (sin_φ1_minus_φ2 * ω2_minus_one_squared)
+            + p.l1 * (ω2_prime * cos_φ1_minus_φ2);
+        let t32 = t31 - p.l3 * (t27 * ω3_prime)
+            - p.l3 * (ω3 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
+        let t33 = p.per_l3
+            * (per_sin_φ2_minus_φ3 * (t32 + p.l3 * (sin_φ2_minus_φ3 * ω3 * t20)));
+        let dω3_prime_dφ1 = t33 - p.per_l3 * (t30 * t7);
+        let t34 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dφ1)) * 2.0
+            + (p.C2 * (ω3_prime * ω3_prime) + p.C2 * (ω3 * dω3_prime_dφ1)) * 2.0;
+        let t35 = t34 + p.C3 * (t4 * dω2_prime_dφ1)
+            - p.two_C3 * (ω2_prime * ω2_minus_one * t9);
+        let ddA_dφ1_dφ1 = t35 - p.C3 * (ω2_ω2_prime * t9)
+            - p.C3 * (ω2 * ω2_minus_one_squared * t4);
         let dτ_dx_stack = p.la_ku * sin_φ1;
         let dddφ1_dx_stack = per_A * dτ_dx_stack;
         let dddx_stack_dφ1 = p.per_mp * dQ_stack_dφ1;
@@ -1076,45 +1025,51 @@ pub mod double_rocker {
         let v = dv_ddφ1 * dφ1 - dx_stage;
         let abs_v = v.abs();
         let z_abs_v = z * abs_v;
-        let t43 = (-(p.per_v_s_squared * (v * v))).exp();
-        let g_v = p.per_sigma0 * (p.F_C + p.F_S_minus_F_C * t43);
+        let t36 = (-(p.per_v_s_squared * (v * v))).exp();
+        let g_v = p.per_sigma0 * (p.F_C + p.F_S_minus_F_C * t36);
         let per_g_v = g_v.recip();
         let ż = v - z_abs_v * per_g_v;
         // friction force of `tip` on its second end
         let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
         // generalized torque of all other forces
-        let τ = t25 - dv_ddφ1 * F_f;
+        let τ = t18 - dv_ddφ1 * F_f;
         let dφ1_squared = dφ1 * dφ1;
-        let dv_dφ1 = t34 * dφ1;
+        let t37 = p.la * (cos_φ1 * F_joint) + p.la * (sin_φ1 * dF_joint_dφ1) + t24
+            - t25 * F_f;
+        let dv_dφ1 = t25 * dφ1;
         let z_per_g_v = z * per_g_v;
         let sign_v = v.sign();
         let z_abs_v_per_g_v_squared = z_abs_v * (g_v * g_v).recip();
-        let t44 = v * t43;
+        let t38 = v * t36;
+        let dg_v_dφ1 = -(p.constant4 * (t38 * dv_dφ1));
         let dż_dφ1 = dv_dφ1 - z_per_g_v * dv_dφ1 * sign_v
-            - z_abs_v_per_g_v_squared * (p.constant5 * (t44 * dv_dφ1));
+            + z_abs_v_per_g_v_squared * dg_v_dφ1;
         let dF_f_dφ1 = p.sigma1 * dż_dφ1 + p.sigma2 * dv_dφ1;
-        let dτ_dφ1 = t33 - t34 * F_f - dv_ddφ1 * dF_f_dφ1;
+        let dτ_dφ1 = t37 - dv_ddφ1 * dF_f_dφ1;
         let dddφ1_dφ1 = (A * A).recip() * dA_dφ1
             * (dP_dφ1 - τ + dA_dφ1 * 0.5 * dφ1_squared)
             - per_A * (ddP_dφ1_dφ1 - dτ_dφ1 + ddA_dφ1_dφ1 * 0.5 * dφ1_squared);
         let z_per_g_v_sign_v = z_per_g_v * sign_v;
+        let dg_v_ddφ1 = -(p.constant4 * dv_ddφ1 * t38);
         let dż_ddφ1 = dv_ddφ1 - dv_ddφ1 * z_per_g_v_sign_v
-            - z_abs_v_per_g_v_squared * (p.constant5 * dv_ddφ1 * t44);
+            + z_abs_v_per_g_v_squared * dg_v_ddφ1;
         let dF_f_ddφ1 = p.sigma2 * dv_ddφ1 + p.sigma1 * dż_ddφ1;
-        let dddφ1_ddφ1 = -(per_A * (dv_ddφ1 * dF_f_ddφ1 + dA_dφ1 * dφ1));
-        let dg_v_ddx_stage = p.constant5 * t44;
+        let dτ_ddφ1 = -(dv_ddφ1 * dF_f_ddφ1);
+        let dddφ1_ddφ1 = per_A * (dτ_ddφ1 - dA_dφ1 * dφ1);
+        let dg_v_ddx_stage = p.constant4 * t38;
         let dż_ddx_stage = z_per_g_v_sign_v - 1.0
             + z_abs_v_per_g_v_squared * dg_v_ddx_stage;
         let dF_f_ddx_stage = p.sigma1 * dż_ddx_stage - p.sigma2;
-        let dddφ1_ddx_stage = -(per_A * (dv_ddφ1 * dF_f_ddx_stage));
-        let abs_v_per_g_v = abs_v * per_g_v;
-        let dF_f_dz = p.sigma0 - p.sigma1 * abs_v_per_g_v;
-        let dddφ1_dz = -(per_A * (dv_ddφ1 * dF_f_dz));
+        let dτ_ddx_stage = -(dv_ddφ1 * dF_f_ddx_stage);
+        let dddφ1_ddx_stage = per_A * dτ_ddx_stage;
+        let dż_dz = -(abs_v * per_g_v);
+        let dF_f_dz = p.sigma0 + p.sigma1 * dż_dz;
+        let dτ_dz = -(dv_ddφ1 * dF_f_dz);
+        let dddφ1_dz = per_A * dτ_dz;
         let dddx_stage_dφ1 = p.per_ms * dF_f_dφ1;
         let dddx_stage_ddφ1 = p.per_ms * dF_f_ddφ1;
         let dddx_stage_ddx_stage = p.per_ms * dF_f_ddx_stage;
         let dddx_stage_dz = p.per_ms * dF_f_dz;
-        let dż_dz = -abs_v_per_g_v;
         result[1] = T::from_f64(1.0);
         result[7] = dddφ1_dφ1;
         result[8] = dddφ1_ddφ1;
@@ -1156,32 +1111,35 @@ pub mod double_rocker {
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = p.l1_per_l2
-            * ((s2 * t2 + c2 * s3).recip() * (sin_φ1 * t2 + cos_φ1 * s3));
-        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t3 * s2);
+        let Y_η = Y * η;
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -(p.l1_per_l2 * (sin_φ2_minus_φ3.recip() * sin_φ1_minus_φ3));
+        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
         // ── state ──
         let f_t = p.f * t;
         // drive `xp`
         let xp = (xp_falling - 0.5)
             .if_positive(
-                -(p.constant3 * (xp_cycle + 1.0 - f_t)),
+                -(p.constant2 * (xp_cycle + 1.0 - f_t)),
                 -(p.stroke_per_rise * (xp_cycle - f_t)),
             );
         // slip velocity of `tip`
@@ -1218,86 +1176,90 @@ pub mod double_rocker {
         let xp_falling = d[3];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - l1_cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = (s2 * t2 + c2 * s3).recip();
-        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let Y_η = Y * η;
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -(p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3));
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let ω3 = -(p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2));
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
-        let t5 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        let t2 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
         // inertia
-        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3) - p.C3 * (t4 * t5);
-        let t6 = p.m2 * (l1_sin_φ1 + p.r2 * (p.cos_beta2 * s2 + p.sin_beta2 * c2));
-        let t7 = p.m1_r1 * (p.cos_beta1 * sin_φ1 + p.sin_beta1 * cos_φ1) + t6
-            + p.m3_r3 * (p.cos_beta3 * s3 - p.sin_beta3 * t2);
-        let t8 = φ1 - 1.3962634015954636;
-        let t9 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω2 * t2);
+        let t3 = p.m2 * (l1_sin_φ1 + p.r2 * (p.cos_beta2 * s2 + p.sin_beta2 * c2));
+        let t4 = p.m1_r1 * (p.cos_beta1 * sin_φ1 + p.sin_beta1 * cos_φ1) + t3
+            + p.m3_r3 * (p.cos_beta3 * s3 + p.sin_beta3 * c3);
+        let t5 = φ1 - 1.3962634015954636;
+        let t6 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t9.unwrap_to(turn_coupler);
-        let t10 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
-        let t11 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        let φ2_minus_φ2_0 = t6.unwrap_to(turn_coupler);
+        let t7 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t8 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t11.unwrap_to(turn_rocker);
-        let t12 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
-        let t13 = t7 * 9.81 + p.half_k * (t8 * t8) + p.half_k * (t10 * t10)
-            + p.half_k * (t12 * t12);
+        let φ3_minus_φ3_0 = t8.unwrap_to(turn_rocker);
+        let t9 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
+        let t10 = t4 * 9.81 + p.half_k * (t5 * t5) + p.half_k * (t7 * t7)
+            + p.half_k * (t9 * t9);
         // displacement of `A`
         let x_A = p.la
-            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t8 * 0.5).sin() * 2.0);
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t5 * 0.5).sin() * 2.0);
         let x_A_minus_x_stack = x_A - x_stack;
-        let t14 = t13 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0)
+        let t11 = t10 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0)
             + p.half_ku * (x_A_minus_x_stack * x_A_minus_x_stack);
-        let dv_ddφ1 = l1_sin_φ1 - p.ln * (t4 * s2);
+        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
         // ── state ──
-        let t15 = A * 0.5 * (dφ1 * dφ1) + p.half_mp * (dx_stack * dx_stack)
+        let t12 = A * 0.5 * (dφ1 * dφ1) + p.half_mp * (dx_stack * dx_stack)
             + p.half_ms * (dx_stage * dx_stage);
         let xp_falling_minus_half = xp_falling - 0.5;
         let f_t = p.f * t;
         // drive `xp`
         let xp = xp_falling_minus_half
             .if_positive(
-                -(p.constant3 * (xp_cycle + 1.0 - f_t)),
+                -(p.constant2 * (xp_cycle + 1.0 - f_t)),
                 -(p.stroke_per_rise * (xp_cycle - f_t)),
             );
         let x_stack_minus_xp = x_stack - xp;
-        let t16 = t14 + p.half_kp * (x_stack_minus_xp * x_stack_minus_xp)
+        let t13 = t11 + p.half_kp * (x_stack_minus_xp * x_stack_minus_xp)
             + p.half_sigma0 * (z * z);
         // rate of the drive `xp`
-        let dxp = xp_falling_minus_half.if_positive(p.constant4, p.stroke_f_per_rise);
+        let dxp = xp_falling_minus_half.if_positive(p.constant3, p.stroke_f_per_rise);
         let dx_stack_minus_dxp = dx_stack - dxp;
         // slip velocity of `tip`
         let v = dv_ddφ1 * dφ1 - dx_stage;
         let g_v = p.per_sigma0
             * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
         let ż = v - z * v.abs() * g_v.recip();
-        let t17 = p.cp * (dx_stack_minus_dxp * dx_stack_minus_dxp) - p.sigma0 * (z * ż);
+        let t14 = p.cp * (dx_stack_minus_dxp * dx_stack_minus_dxp) - p.sigma0 * (z * ż);
         // friction force of `tip` on its second end
         let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
         // force of `ceramic` on its second end
         let F_ceramic = p.kp * (xp - x_stack) - p.cp * dx_stack_minus_dxp;
-        result[0] = t15;
-        result[1] = t16;
-        result[2] = t17 + v * F_f;
-        result[3] = dxp * F_ceramic - p.Fp * (l1_cos_φ1 - p.ln * (t4 * c2)) * dφ1;
+        result[0] = t12;
+        result[1] = t13;
+        result[2] = t14 + v * F_f;
+        result[3] = dxp * F_ceramic - p.Fp * (l1_cos_φ1 + p.ln * (ω2 * c2)) * dφ1;
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]
@@ -1324,10 +1286,10 @@ pub mod double_rocker {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -(p.l1 * sin_φ1);
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
-        let t1 = p.constant8
+        let D = X * X + Y * Y;
+        let t1 = p.constant7
             * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
         result[0] = -t1;
     }
@@ -1346,30 +1308,31 @@ pub mod double_rocker {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let Y_η = Y * η;
+        let c2 = p.per_l2 * (X_κ - Y_η);
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let t3 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t4 = (p.s3_0 * t3 - p.constant2 * s3).atan2(p.constant2 * t3 + p.s3_0 * s3);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t4.unwrap_to(turn_rocker);
+        let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
     }
@@ -1403,7 +1366,7 @@ pub mod double_rocker {
                         one_plus_xp_cycle,
                         p.one_minus_rise.if_positive(xp_cycle, one_plus_xp_cycle),
                     );
-                let t2 = xp_falling_minus_half.if_positive(p.constant6, p.constant7);
+                let t2 = xp_falling_minus_half.if_positive(p.constant5, p.constant6);
                 result[2] = t1;
                 result[3] = t2;
             }
@@ -1856,455 +1819,7 @@ pub mod double_rocker {
     static INPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(4).0;
     static TURNING: [usize; 2] = [0, 1];
-    static FAILURES: [Failure; 58] = [
-        Failure {
-            message: Cow::Borrowed("the param `E` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 11,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param E  = 72 GPa                                                   \"elastic modulus\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `b` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 12,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param b  = 3 mm                                                     \"width, out of plane\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `h` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 13,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param h  = 3 mm                                                     \"link height\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `e` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 14,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param e  = 1.5 mm                                                   \"hinge web thickness\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `r` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 15,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param r  = 1 mm                                                     \"hinge radius\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 16,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 16,
-                column: 21,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l3` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 16,
-                column: 35,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l4` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 16,
-                column: 47,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm            \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `m1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 17,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g                   \"mass of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `m2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 17,
-                column: 22,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g                   \"mass of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `m3` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 17,
-                column: 37,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g                   \"mass of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `beta1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 18,
-                column: 7,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "param beta1 = 0 deg, beta2 = 0 deg, beta3 = 0 deg                   \"direction of a centre of mass off its link's line\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `beta2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 18,
-                column: 22,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "param beta1 = 0 deg, beta2 = 0 deg, beta3 = 0 deg                   \"direction of a centre of mass off its link's line\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `beta3` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 18,
-                column: 37,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "param beta1 = 0 deg, beta2 = 0 deg, beta3 = 0 deg                   \"direction of a centre of mass off its link's line\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `mp` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 59,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param mp = 15 g                                                     \"mass of the stack\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `kp` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 60,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param kp = 3.6e6 N/m                                                \"stiffness of the stack\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `cp` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 61,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param cp = 0.294 N*s/m                                              \"damping of the stack\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `ku` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 62,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param ku = 3e7 N/m                                                  \"stiffness of the joint between stack and crank\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `la` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 63,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param la = 5.1 mm                                                   \"A from O1\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `f` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 64,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param f  = 1 kHz                                                    \"drive frequency\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `stroke` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 65,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param stroke = 20 um                                                \"drive stroke\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `rise` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 66,
-                column: 7,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "param rise   = 0.95                                                 \"share of the period in which the stack extends\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `ln` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 78,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param ln = 5 mm                                                     \"C from B\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `ms` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 79,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param ms = 50 g                                                     \"mass of the slider\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `Fp` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 80,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param Fp = 20 N                                                     \"preload\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `sigma0` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 81,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param sigma0 = 5e6 N/m                                              \"bristle stiffness\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `sigma1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 82,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param sigma1 = 5 N*s/m                                              \"bristle damping\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `sigma2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 83,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param sigma2 = 0.5 N*s/m                                            \"viscous friction\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `mu_s` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 84,
-                column: 7,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "param mu_s = 0.3                                                    \"coefficient of static friction\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `mu_c` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 85,
-                column: 7,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "param mu_c = 0.2                                                    \"coefficient of sliding friction\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `v_s` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_rocker.flex"),
-                line: 86,
-                column: 7,
-                width: 3,
-                excerpt: Cow::Borrowed(
-                    "param v_s  = 1 mm/s                                                 \"Stribeck velocity\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
+    static FAILURES: [Failure; 26] = [
         Failure {
             message: Cow::Borrowed("the length of `crank` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -2664,19 +2179,22 @@ Loop crank–coupler–rocker
 
   l1 e^(i φ1) + l2 e^(i φ2) - l3 e^(i φ3) - l4 = 0
 
-  X   = l4 - l1 cos(φ1)
-  Y   = -l1 sin(φ1)
-  D   = X² + Y²
-  κ   = (l2² - l3² + D) / (2 D)
-  η   = s sqrt(-(D - (l2 - l3)²) (D - (l2 + l3)²)) / (2 D)
-  c2  = (X κ - Y η) / l2
-  s2  = (Y κ + X η) / l2
-  c3  = -(X - X κ + Y η) / l3
-  s3  = (Y κ - Y + X η) / l3
+  X  = l4 - l1 cos(φ1)
+  Y  = -l1 sin(φ1)
+  D  = X² + Y²
+  κ  = (l2² - l3² + D) / (2 D)
+  η  = s sqrt((D - (l2 - l3)²) ((l2 + l3)² - D)) / (2 D)
+  c2 = (X κ - Y η) / l2
+  s2 = (Y κ + X η) / l2
+  c3 = -(X - X κ + Y η) / l3
+  s3 = (Y κ - Y + X η) / l3
+
+  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns
+
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
-  ω2' = (l1 (ω3 - 1) cos(φ1 - φ3) - l2 ω2 (ω2 - ω3) cos(φ2 - φ3)) / (l2 sin(φ2 - φ3))
-  ω3' = (l1 (ω2 - 1) cos(φ1 - φ2) - l3 ω3 (ω2 - ω3) cos(φ2 - φ3)) / (l3 sin(φ2 - φ3))
+  ω2' = (l1 (ω3 - 1) cos(φ1 - φ3) + l2 ω2 (ω3 - ω2) cos(φ2 - φ3)) / (l2 sin(φ2 - φ3))
+  ω3' = (l1 (ω2 - 1) cos(φ1 - φ2) + l3 ω3 (ω3 - ω2) cos(φ2 - φ3)) / (l3 sin(φ2 - φ3))
 
 Drives
 ──────
@@ -2694,7 +2212,7 @@ Constants of the inertia
 Named forces
 ────────────
 
-  F_ceramic = kp (xp - x_stack) - cp (ẋ_stack - ẋp)
+  F_ceramic = kp (xp - x_stack) + cp (ẋp - ẋ_stack)
   x_A       = la (cos(φ1⁰) - cos(φ1))
   F_joint   = ku (x_stack - x_A)
   F_N       = Fp
@@ -2712,7 +2230,7 @@ Equation of motion of `crank`
   ∂A/∂φ1   = 2 C1 ω2 ω2'
            + 2 C2 ω3 ω3'
            + C3 ω2' cos(φ2 - φ1 + beta2)
-           - C3 ω2 (ω2 - 1) sin(φ2 - φ1 + beta2)
+           + C3 ω2 (1 - ω2) sin(φ2 - φ1 + beta2)
   ∂P_s/∂φ1 = k (φ1 - φ1⁰)
            + k (ω2 - 1) (φ2 - φ2⁰ - φ1 + φ1⁰)
            + k (ω2 - ω3) (φ2 - φ2⁰ - (φ3 - φ3⁰))
@@ -2780,15 +2298,16 @@ X &= l_{4} - l_{1} \cos \varphi_{1} \\
 Y &= -l_{1} \sin \varphi_{1} \\
 D &= X^{2} + Y^{2} \\
 \kappa &= \frac{l_{2}^{2} - l_{3}^{2} + D}{2 \, D} \\
-\eta &= \frac{s}{2 \, D} \, \sqrt{-\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(D - \left(l_{2} + l_{3}\right)^{2}\right)} \\
+\eta &= \frac{s}{2 \, D} \, \sqrt{\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D\right)} \\
 \cos \varphi_{2} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
 \sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
+& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
-\omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) - l_{2} \, \omega_{2} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
-\omega'_{3} &= \frac{l_{1} \left(\omega_{2} - 1\right) \cos\left(\varphi_{1} - \varphi_{2}\right) - l_{3} \, \omega_{3} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)}
+\omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega'_{3} &= \frac{l_{1} \left(\omega_{2} - 1\right) \cos\left(\varphi_{1} - \varphi_{2}\right) + l_{3} \, \omega_{3} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)}
 \end{align*}
 
 \subsection*{Drives}
@@ -2806,7 +2325,7 @@ C_{3} &= 2 \, l_{1} \, m_{2} \, r_{2}
 
 \subsection*{Named forces}
 \begin{align*}
-F_{\mathrm{ceramic}} &= \mathit{kp} \left(\mathit{xp} - x_{\mathrm{stack}}\right) - \mathit{cp} \left(\dot{x}_{\mathrm{stack}} - \dot{\mathit{xp}}\right) \\
+F_{\mathrm{ceramic}} &= \mathit{kp} \left(\mathit{xp} - x_{\mathrm{stack}}\right) + \mathit{cp} \left(\dot{\mathit{xp}} - \dot{x}_{\mathrm{stack}}\right) \\
 x_{A} &= \mathit{la} \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) \\
 F_{\mathrm{joint}} &= \mathit{ku} \left(x_{\mathrm{stack}} - x_{A}\right) \\
 F_N &= \mathit{Fp} \\
@@ -2824,7 +2343,7 @@ A(\varphi_{1}) &= C_{0} + C_{1} \, \omega_{2}^{2} + C_{2} \, \omega_{3}^{2} + C_
 \frac{\partial A}{\partial \varphi_{1}} &= 2 \, C_{1} \, \omega_{2} \, \omega'_{2} \\
 &\quad {}+ 2 \, C_{2} \, \omega_{3} \, \omega'_{3} \\
 &\quad {}+ C_{3} \, \omega'_{2} \cos\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
-&\quad {}- C_{3} \, \omega_{2} \left(\omega_{2} - 1\right) \sin\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
+&\quad {}+ C_{3} \, \omega_{2} \left(1 - \omega_{2}\right) \sin\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
 \frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - \omega_{3}\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{3} - \varphi_{3}^0\right)\right) \\

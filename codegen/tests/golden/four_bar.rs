@@ -81,6 +81,22 @@ pub mod four_bar {
                 self.m3,
             ]
         }
+        /// Params of values in the order of [`VARIABLES`].
+        pub fn from_values(values: [f64; 11]) -> Self {
+            Self {
+                E: values[0],
+                b: values[1],
+                e: values[2],
+                r: values[3],
+                l1: values[4],
+                l2: values[5],
+                l3: values[6],
+                l4: values[7],
+                m1: values[8],
+                m2: values[9],
+                m3: values[10],
+            }
+        }
         /// Closes the loops and computes everything that depends on params alone.
         ///
         /// # Errors
@@ -109,16 +125,15 @@ pub mod four_bar {
             let I3 = l3_squared * m3 * 0.08333333333333333;
             let l2_minus_l3 = l2 - l3;
             let l2_minus_l3_squared = l2_minus_l3 * l2_minus_l3;
-            let t1 = l1 * 0.17364817766693041;
-            let X_0 = l4 - t1;
-            let X_0_squared = X_0 * X_0;
-            let t2 = l1 * 0.984807753012208;
-            let D_0 = X_0_squared + t2 * t2;
+            let X_0 = l4 - l1 * 0.17364817766693041;
+            let t1 = l1 * 0.984807753012208;
+            let Y_0 = -t1;
+            let D_0 = X_0 * X_0 + Y_0 * Y_0;
             let l2_plus_l3 = l2 + l3;
             let l2_plus_l3_squared = l2_plus_l3 * l2_plus_l3;
-            let t3 = (l2_minus_l3_squared - D_0) * (l2_plus_l3_squared - D_0);
+            let t2 = (l2_minus_l3_squared - D_0) * (l2_plus_l3_squared - D_0);
             let l2_squared_l3_squared = l2_squared * l3_squared;
-            let t4 = t3 * 0.25 / l2_squared_l3_squared;
+            let t3 = t2 * 0.25 / l2_squared_l3_squared;
             // distance of the centre of mass from the first end of crank
             let r1 = l1 * 0.5;
             // constant of the inertia
@@ -127,125 +142,75 @@ pub mod four_bar {
             let r2 = l2 * 0.5;
             // constant of the inertia
             let C1 = I2 + m2 * (r2 * r2);
-            let t5 = l2_squared - l3_squared;
-            let κ_0 = (t5 + D_0) * 0.5 / D_0;
-            let t6 = t2 * κ_0;
+            let t4 = l2_squared - l3_squared;
+            let κ_0 = (t4 + D_0) * 0.5 / D_0;
+            let Y_0_κ_0 = Y_0 * κ_0;
             // which way the loop closes: as drawn
-            let s = (X_0 / l3 + t2 / l2).if_positive(1.0, -1.0);
-            let η_0 = s * (-t3).sqrt() * 0.5 / D_0;
+            let s = (X_0 / l3 - Y_0 / l2).if_positive(1.0, -1.0);
+            let η_0 = s * (-t2).sqrt() * 0.5 / D_0;
             let X_0_η_0 = X_0 * η_0;
-            let s3_0 = (t2 - t6 + X_0_η_0) / l3;
+            let s3_0 = (Y_0_κ_0 + t1 + X_0_η_0) / l3;
             let X_0_κ_0 = X_0 * κ_0;
-            let t7 = t2 * η_0;
-            let t8 = (X_0 - X_0_κ_0 - t7) / l3;
-            let c3_0 = -t8;
+            let Y_0_η_0 = Y_0 * η_0;
+            let c3_0 = -((X_0 - X_0_κ_0 + Y_0_η_0) / l3);
             // angle of `rocker` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5707963267948966);
-            let t9 = (1.3962634015954636 - φ3_0).sin();
-            let s2_0 = (X_0_η_0 - t6) / l2;
-            let c2_0 = (X_0_κ_0 + t7) / l2;
+            let t5 = (1.3962634015954636 - φ3_0).sin();
+            let s2_0 = (Y_0_κ_0 + X_0_η_0) / l2;
+            let c2_0 = (X_0_κ_0 - Y_0_η_0) / l2;
             // angle of `coupler` as assembled
             let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.0);
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            let t6 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
-            let t11 = 1.3962634015954636 - φ2_0;
-            let (t12, t13) = t11.sin_cos();
-            let t14 = C0 + l1_squared * C1 * (t9 * t9) / (l2_squared * t10)
-                + l1_squared * C2 * (t12 * t12) / (l3_squared * t10);
+            let t7 = 1.3962634015954636 - φ2_0;
+            let (t8, t9) = t7.sin_cos();
+            let t10 = C0 + l1_squared * C1 * (t5 * t5) / (l2_squared * t6)
+                + l1_squared * C2 * (t8 * t8) / (l3_squared * t6);
             // constant of the inertia
             let C3 = l1 * m2 * r2 * 2.0;
-            let t15 = l1_squared * 0.9698463103929541;
-            let t16 = t5 + X_0_squared + t15;
-            let t17 = X_0_squared + t15;
-            let t18 = X_0 * t16 * 0.5 / t17;
-            let t19 = (X_0_squared - l2_minus_l3_squared + t15)
-                * (X_0_squared - l2_plus_l3_squared + t15);
-            let t20 = (-t19).sqrt();
-            let t21 = l1 * s * t20 * 0.492403876506104 / t17;
-            let t22 = t18 + t21;
-            let t23 = l1 * t16 * 0.492403876506104 / t17;
-            let t24 = s * X_0 * t20 * 0.5 / t17;
-            let t25 = t23 - t24;
-            let t26 = (-(s2_0 * t22 / l2 + c2_0 * t25 / l2))
-                .atan2(c2_0 * t22 / l2 - s2_0 * t25 / l2);
-            let t27 = t24 - t23 + t2;
-            let t28 = t1 - l4 + t18 + t21;
-            let t29 = (-(t8 * t27 / l3 + s3_0 * t28 / l3))
-                .atan2(s3_0 * t27 / l3 - t8 * t28 / l3);
+            // inertia as assembled
+            let A_crank_0 = t10 - l1 * C3 * t5 * t9 / (l2 * sin_φ2_0_minus_φ3_0);
             let sqrt_e = e.sqrt();
             let sqrt_e_squared = sqrt_e * sqrt_e;
-            let t30 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
+            let t11 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
                 * 0.07073553026306459;
             // stiffness of a hinge
-            let k = t30 / r.sqrt();
-            if !(1e300 - E.abs() >= 0.0) {
-                return Err(FAILURES[0].diagnostic(&[E]));
-            }
-            if !(1e300 - b.abs() >= 0.0) {
-                return Err(FAILURES[1].diagnostic(&[b]));
-            }
-            if !(1e300 - e.abs() >= 0.0) {
-                return Err(FAILURES[2].diagnostic(&[e]));
-            }
-            if !(1e300 - r.abs() >= 0.0) {
-                return Err(FAILURES[3].diagnostic(&[r]));
-            }
-            if !(1e300 - l1.abs() >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[l1]));
-            }
-            if !(1e300 - l2.abs() >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[l2]));
-            }
-            if !(1e300 - l3.abs() >= 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l3]));
-            }
-            if !(1e300 - l4.abs() >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[l4]));
-            }
-            if !(1e300 - m1.abs() >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[m1]));
-            }
-            if !(1e300 - m2.abs() >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[m2]));
-            }
-            if !(1e300 - m3.abs() >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[m3]));
-            }
+            let k = t11 / r.sqrt();
             if !(l1 > 0.0) {
-                return Err(FAILURES[11].diagnostic(&[l1]));
+                return Err(FAILURES[0].diagnostic(&[l1]));
             }
             if !(m1 >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[m1]));
+                return Err(FAILURES[1].diagnostic(&[m1]));
             }
             if !(I1 >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[I1]));
+                return Err(FAILURES[2].diagnostic(&[I1]));
             }
             if !(l2 > 0.0) {
-                return Err(FAILURES[14].diagnostic(&[l2]));
+                return Err(FAILURES[3].diagnostic(&[l2]));
             }
             if !(m2 >= 0.0) {
-                return Err(FAILURES[15].diagnostic(&[m2]));
+                return Err(FAILURES[4].diagnostic(&[m2]));
             }
             if !(I2 >= 0.0) {
-                return Err(FAILURES[16].diagnostic(&[I2]));
+                return Err(FAILURES[5].diagnostic(&[I2]));
             }
             if !(l3 > 0.0) {
-                return Err(FAILURES[17].diagnostic(&[l3]));
+                return Err(FAILURES[6].diagnostic(&[l3]));
             }
             if !(m3 >= 0.0) {
-                return Err(FAILURES[18].diagnostic(&[m3]));
+                return Err(FAILURES[7].diagnostic(&[m3]));
             }
             if !(I3 >= 0.0) {
-                return Err(FAILURES[19].diagnostic(&[I3]));
+                return Err(FAILURES[8].diagnostic(&[I3]));
             }
-            if !(-t4 >= 0.0) {
+            if !(-t3 >= 0.0) {
                 let sqrt_D_0 = D_0.sqrt();
                 return Err(
-                    FAILURES[20]
+                    FAILURES[9]
                         .diagnostic(
                             &[
                                 (sqrt_D_0 - l2 - l3).larger(l2_minus_l3.abs() - sqrt_D_0),
@@ -256,10 +221,10 @@ pub mod four_bar {
                         ),
                 );
             }
-            if !(-(t4 + 1e-12) > 0.0) {
+            if !(-(t3 + 1e-12) > 0.0) {
                 let sqrt_D_0_2 = D_0.sqrt();
                 return Err(
-                    FAILURES[21]
+                    FAILURES[10]
                         .diagnostic(
                             &[
                                 (sqrt_D_0_2 - l2 - l3)
@@ -271,19 +236,19 @@ pub mod four_bar {
                         ),
                 );
             }
-            if !(t14 - l1 * C3 * t9 * t13 / (l2 * sin_φ2_0_minus_φ3_0) > 0.0) {
-                return Err(FAILURES[22].diagnostic(&[]));
+            if !(A_crank_0 > 0.0) {
+                return Err(FAILURES[11].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.3962634015954636, 20.0],
-                start_discretes: [t26.unwrap_to(0.0), t29.unwrap_to(0.0)],
+                start_discretes: [0.0, 0.0],
                 l1,
                 l2,
                 l3,
                 l4,
                 m2,
                 C0,
-                constant1: t5,
+                constant1: t4,
                 l2_minus_l3_squared,
                 l2_plus_l3_squared,
                 half_s: s * 0.5,
@@ -298,7 +263,7 @@ pub mod four_bar {
                 k,
                 c2_0,
                 s2_0,
-                constant2: t8,
+                c3_0,
                 s3_0,
                 m1_r1: m1 * r1,
                 m3_r3: m3 * r3,
@@ -306,7 +271,7 @@ pub mod four_bar {
                 two_C2: C2 * 2.0,
                 two_C3: C3 * 2.0,
                 half_k: k * 0.5,
-                constant3: 0.25 / l2_squared_l3_squared,
+                constant2: 0.25 / l2_squared_l3_squared,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -362,8 +327,8 @@ pub mod four_bar {
         pub c2_0: T,
         /// `s2⁰`
         pub s2_0: T,
-        /// `(X⁰ - X⁰ * κ⁰ - 0.984807753012208 * l1 * η⁰) / l3`
-        pub constant2: T,
+        /// `c3⁰`
+        pub c3_0: T,
         /// `s3⁰`
         pub s3_0: T,
         /// `m1 * r1`
@@ -379,7 +344,7 @@ pub mod four_bar {
         /// `0.5 * k`
         pub half_k: T,
         /// `0.25 / (l2 * l2 * l3 * l3)`
-        pub constant3: T,
+        pub constant2: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -408,7 +373,7 @@ pub mod four_bar {
                 k: turn(self.k),
                 c2_0: turn(self.c2_0),
                 s2_0: turn(self.s2_0),
-                constant2: turn(self.constant2),
+                c3_0: turn(self.c3_0),
                 s3_0: turn(self.s3_0),
                 m1_r1: turn(self.m1_r1),
                 m3_r3: turn(self.m3_r3),
@@ -416,7 +381,7 @@ pub mod four_bar {
                 two_C2: turn(self.two_C2),
                 two_C3: turn(self.two_C3),
                 half_k: turn(self.half_k),
-                constant3: turn(self.constant3),
+                constant2: turn(self.constant2),
             }
         }
     }
@@ -436,64 +401,73 @@ pub mod four_bar {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - l1_cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = (s2 * t2 + c2 * s3).recip();
-        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let Y_η = Y * η;
+        let t2 = p.per_l3 * (X - X_κ + Y_η);
+        let c3 = -t2;
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        let t3 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -t3;
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        let t4 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let ω3 = -t4;
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
         // inertia
-        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3)
-            - p.C3 * (t4 * cos_φ1_minus_φ2);
-        let t5 = t4 + 1.0;
-        let t6 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3)
+            + p.C3 * (ω2 * cos_φ1_minus_φ2);
+        let ω2_minus_one = ω2 - 1.0;
+        let t5 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t6.unwrap_to(turn_coupler);
-        let t7 = p.k * (t5 * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0));
-        let t8 = t4 + ω3;
-        let t9 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        let φ2_minus_φ2_0 = t5.unwrap_to(turn_coupler);
+        let t6 = ω2_minus_one
+            * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0);
+        let t7 = t4 - t3;
+        let t8 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
-        let t10 = p.k * (φ1 - 1.3962634015954636) - t7
-            - p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
+        let φ3_minus_φ3_0 = t8.unwrap_to(turn_rocker);
+        let t9 = p.k * (φ1 - 1.3962634015954636) + p.k * t6
+            + p.k * (t7 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
         // springs
-        let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
-        let t11 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 - p.r2 * (t4 * c2))
+        let dP_s_dφ1 = t9 + p.k * (φ3_minus_φ3_0 * ω3);
+        let t10 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * c2))
             - p.m3_r3 * (ω3 * t2);
         // gravity
-        let dP_g_dφ1 = t11 * 9.81;
+        let dP_g_dφ1 = t10 * 9.81;
         // potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
-        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
-        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
-        let t12 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
-            - p.l2 * (t4 * t8 * cos_φ2_minus_φ3);
-        let t13 = p.per_l2 * (t3 * t12);
-        let t14 = p.l3 * (ω3 * t8 * cos_φ2_minus_φ3)
-            - p.l1 * (cos_φ1_minus_φ2 * t5);
-        let t15 = p.two_C1 * (t4 * t13) - p.two_C2 * (ω3 * (p.per_l3 * (t3 * t14)))
-            - p.C3 * (t13 * cos_φ1_minus_φ2);
+        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
+        let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
+        let t11 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+            - p.l2 * (ω2 * t7 * cos_φ2_minus_φ3);
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t11);
+        let t12 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+            - p.l3 * (ω3 * t7 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t12);
+        let t13 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+            + p.C3 * (ω2_prime * cos_φ1_minus_φ2);
         // its derivative
-        let dA_dφ1 = t15 + p.C3 * (sin_φ1_minus_φ2 * t4 * t5);
+        let dA_dφ1 = t13 + p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one);
         // ── state ──
         let ddφ1 = -(A.recip() * (dP_dφ1 + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
         dx[0] = dφ1;
@@ -515,97 +489,115 @@ pub mod four_bar {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - l1_cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = s2 * t2 + c2 * s3;
-        let t4 = t3.recip();
-        let t5 = sin_φ1 * t2 + cos_φ1 * s3;
-        let t6 = p.l1_per_l2 * (t4 * t5);
-        let t7 = t6 * t6;
+        let Y_η = Y * η;
+        let t2 = p.per_l3 * (X - X_κ + Y_η);
+        let c3 = -t2;
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        let t3 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -t3;
+        let ω2_squared = ω2 * ω2;
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        let t4 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t4 * sin_φ1_minus_φ2);
+        let ω3 = -t4;
         let ω3_squared = ω3 * ω3;
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
-        let t8 = t6 * cos_φ1_minus_φ2;
+        let ω2_cos_φ1_minus_φ2 = ω2 * cos_φ1_minus_φ2;
         // inertia
-        let A = p.C0 + p.C1 * t7 + p.C2 * ω3_squared - p.C3 * t8;
-        let cos_φ1_minus_φ3 = sin_φ1 * s3 - cos_φ1 * t2;
+        let A = p.C0 + p.C1 * ω2_squared + p.C2 * ω3_squared
+            + p.C3 * ω2_cos_φ1_minus_φ2;
+        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let ω3_minus_one = ω3 - 1.0;
-        let t9 = t6 + ω3;
-        let cos_φ2_minus_φ3 = s2 * s3 - c2 * t2;
-        let t10 = p.l1 * (cos_φ1_minus_φ3 * ω3_minus_one)
-            - p.l2 * (t6 * t9 * cos_φ2_minus_φ3);
-        let t11 = p.per_l2 * (t4 * t10);
-        let t12 = t6 + 1.0;
-        let t13 = p.l3 * (ω3 * t9 * cos_φ2_minus_φ3)
-            - p.l1 * (cos_φ1_minus_φ2 * t12);
-        let t14 = p.per_l3 * (t4 * t13);
-        let t15 = t11 * cos_φ1_minus_φ2;
-        let t16 = sin_φ1_minus_φ2 * t6;
+        let t5 = t4 - t3;
+        let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
+        let t6 = p.l1 * (cos_φ1_minus_φ3 * ω3_minus_one)
+            - p.l2 * (ω2 * t5 * cos_φ2_minus_φ3);
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t6);
+        let ω2_minus_one = ω2 - 1.0;
+        let t7 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+            - p.l3 * (ω3 * t5 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t7);
+        let ω2_prime_cos_φ1_minus_φ2 = ω2_prime * cos_φ1_minus_φ2;
+        let t8 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+            + p.C3 * ω2_prime_cos_φ1_minus_φ2;
+        let sin_φ1_minus_φ2_ω2 = sin_φ1_minus_φ2 * ω2;
         // its derivative
-        let dA_dφ1 = p.two_C1 * (t6 * t11) - p.two_C2 * (ω3 * t14) - p.C3 * t15
-            + p.C3 * (t16 * t12);
-        let t17 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let dA_dφ1 = t8 + p.C3 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one);
+        let t9 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t17.unwrap_to(turn_coupler);
-        let t18 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
-        let t19 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        let φ2_minus_φ2_0 = t9.unwrap_to(turn_coupler);
+        let t10 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t11 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t19.unwrap_to(turn_rocker);
-        let t20 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
-        let t21 = p.k * (φ1 - 1.3962634015954636) - p.k * (t12 * t18)
-            - p.k * (t9 * t20);
+        let φ3_minus_φ3_0 = t11.unwrap_to(turn_rocker);
+        let t12 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
+        let t13 = p.k * (φ1 - 1.3962634015954636) + p.k * (ω2_minus_one * t10)
+            + p.k * (t5 * t12);
         // springs
-        let dP_s_dφ1 = t21 + p.k * (φ3_minus_φ3_0 * ω3);
-        let t22 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 - p.r2 * (t6 * c2))
+        let dP_s_dφ1 = t13 + p.k * (φ3_minus_φ3_0 * ω3);
+        let t14 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * c2))
             - p.m3_r3 * (ω3 * t2);
         // gravity
-        let dP_g_dφ1 = t22 * 9.81;
+        let dP_g_dφ1 = t14 * 9.81;
         // potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let per_A = A.recip();
-        let t23 = t12 * t12;
-        let t24 = t14 - t11;
-        let t25 = t9 * t9;
-        let t26 = p.k - p.k * (t11 * t18) + p.k * t23 + p.k * (t20 * t24) + p.k * t25;
-        let ddP_s_dφ1_dφ1 = t26 + p.k * ω3_squared - p.k * (φ3_minus_φ3_0 * t14);
-        let t27 = p.m1_r1 * sin_φ1
-            + p.m2 * (l1_sin_φ1 + p.r2 * (t11 * c2) + p.r2 * (t7 * s2));
-        let ddP_dφ1_dφ1 = ddP_s_dφ1_dφ1
-            - (t27 - p.m3_r3 * (t14 * t2) + p.m3_r3 * (ω3_squared * s3)) * 9.81;
-        let t28 = (t3 * t3).recip() * t9 * cos_φ2_minus_φ3;
-        let t29 = p.l2 * (t6 * cos_φ2_minus_φ3 * t24)
-            - p.l1 * (t5 * (ω3_minus_one * ω3_minus_one));
-        let t30 = t9 * cos_φ2_minus_φ3;
-        let t31 = t29 - p.l1 * (cos_φ1_minus_φ3 * t14) - p.l2 * (t30 * t11)
-            + p.l2 * (t3 * t6 * t25);
-        let dω2_prime_dφ1 = p.per_l2 * (t28 * t10) - p.per_l2 * (t4 * t31);
-        let t32 = p.l1 * (sin_φ1_minus_φ2 * t23) - p.l1 * t15 - p.l3 * (t30 * t14);
-        let t33 = t32 - p.l3 * (ω3 * cos_φ2_minus_φ3 * t24) - p.l3 * (t3 * ω3 * t25);
-        let dω3_prime_dφ1 = p.per_l3 * (t28 * t13) - p.per_l3 * (t4 * t33);
-        let t34 = (p.C1 * (t11 * t11) - p.C1 * (t6 * dω2_prime_dφ1)) * 2.0
-            + (p.C2 * (t14 * t14) + p.C2 * (ω3 * dω3_prime_dφ1)) * 2.0;
-        let t35 = t34 + p.C3 * (cos_φ1_minus_φ2 * dω2_prime_dφ1)
-            + p.two_C3 * (sin_φ1_minus_φ2 * t11 * t12);
-        let ddA_dφ1_dφ1 = t35 + p.C3 * (t16 * t11) + p.C3 * (t8 * t23);
+        let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
+        let ω2_prime_minus_ω3_prime = ω2_prime - ω3_prime;
+        let t15 = p.k + p.k * (ω2_prime * t10) + p.k * ω2_minus_one_squared
+            + p.k * (t12 * ω2_prime_minus_ω3_prime);
+        let t16 = t5 * t5;
+        let ddP_s_dφ1_dφ1 = t15 + p.k * t16 + p.k * ω3_squared
+            + p.k * (φ3_minus_φ3_0 * ω3_prime);
+        let t17 = p.m2
+            * (l1_sin_φ1 - p.r2 * (ω2_prime * c2) + p.r2 * (ω2_squared * s2));
+        let t18 = p.m1_r1 * sin_φ1 + t17 + p.m3_r3 * (ω3_prime * t2)
+            + p.m3_r3 * (ω3_squared * s3);
+        let ddP_dφ1_dφ1 = ddP_s_dφ1_dφ1 - t18 * 9.81;
+        let t19 = p.l1 * (sin_φ1_minus_φ3 * (ω3_minus_one * ω3_minus_one))
+            + p.l1 * (cos_φ1_minus_φ3 * ω3_prime);
+        let t20 = t5 * cos_φ2_minus_φ3;
+        let t21 = t19 - p.l2 * (t20 * ω2_prime)
+            - p.l2 * (ω2 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
+        let t22 = p.per_l2
+            * (per_sin_φ2_minus_φ3 * (t21 + p.l2 * (sin_φ2_minus_φ3 * ω2 * t16)));
+        let t23 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t5
+            * cos_φ2_minus_φ3;
+        let dω2_prime_dφ1 = t22 - p.per_l2 * (t23 * t6);
+        let t24 = p.l1 * (sin_φ1_minus_φ2 * ω2_minus_one_squared)
+            + p.l1 * ω2_prime_cos_φ1_minus_φ2;
+        let t25 = t24 - p.l3 * (t20 * ω3_prime)
+            - p.l3 * (ω3 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
+        let t26 = p.per_l3
+            * (per_sin_φ2_minus_φ3 * (t25 + p.l3 * (sin_φ2_minus_φ3 * ω3 * t16)));
+        let dω3_prime_dφ1 = t26 - p.per_l3 * (t23 * t7);
+        let t27 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dφ1)) * 2.0
+            + (p.C2 * (ω3_prime * ω3_prime) + p.C2 * (ω3 * dω3_prime_dφ1)) * 2.0;
+        let t28 = t27 + p.C3 * (cos_φ1_minus_φ2 * dω2_prime_dφ1)
+            + p.two_C3 * (sin_φ1_minus_φ2 * ω2_prime * ω2_minus_one);
+        let ddA_dφ1_dφ1 = t28 + p.C3 * (sin_φ1_minus_φ2_ω2 * ω2_prime)
+            - p.C3 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one_squared);
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;
         let dddφ1_dφ1 = (A * A).recip() * dA_dφ1
@@ -632,48 +624,52 @@ pub mod four_bar {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let Y_η = Y * η;
+        let c2 = p.per_l2 * (X_κ - Y_η);
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
         let t3 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
         let B_torque = -(p.k * t3);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
         let t4 = p.m1_r1 * sin_φ1 + p.m2 * (l1_sin_φ1 + p.r2 * s2) + p.m3_r3 * s3;
         let t5 = φ1 - 1.3962634015954636;
-        let t6 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let t7 = (p.s3_0 * t6 - p.constant2 * s3).atan2(p.constant2 * t6 + p.s3_0 * s3);
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let t6 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t7.unwrap_to(turn_rocker);
-        let t8 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
-        let t9 = t4 * 9.81 + p.half_k * (t5 * t5) + p.half_k * (t3 * t3)
-            + p.half_k * (t8 * t8);
-        let t10 = (s2 * t6 + c2 * s3).recip();
-        let t11 = p.l1_per_l2 * (t10 * (sin_φ1 * t6 + cos_φ1 * s3));
+        let φ3_minus_φ3_0 = t6.unwrap_to(turn_rocker);
+        let t7 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
+        let t8 = t4 * 9.81 + p.half_k * (t5 * t5) + p.half_k * (t3 * t3)
+            + p.half_k * (t7 * t7);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -(p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3));
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t10 * sin_φ1_minus_φ2);
+        let ω3 = -(p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2));
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
         // inertia
-        let A = p.C0 + p.C1 * (t11 * t11) + p.C2 * (ω3 * ω3)
-            - p.C3 * (t11 * cos_φ1_minus_φ2);
+        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3)
+            + p.C3 * (ω2 * cos_φ1_minus_φ2);
         // ── state ──
-        let energy_total = t9 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0)
+        let energy_total = t8 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0)
             + A * 0.5 * (dφ1 * dφ1);
         result[0] = dφ1;
         result[1] = B_torque;
@@ -695,47 +691,51 @@ pub mod four_bar {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let t2 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t3 = (s2 * t2 + c2 * s3).recip();
-        let t4 = p.l1_per_l2 * (t3 * (sin_φ1 * t2 + cos_φ1 * s3));
+        let Y_η = Y * η;
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -(p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3));
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
         // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = p.l1_per_l3 * (t3 * sin_φ1_minus_φ2);
+        let ω3 = -(p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2));
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
         // inertia
-        let A = p.C0 + p.C1 * (t4 * t4) + p.C2 * (ω3 * ω3)
-            - p.C3 * (t4 * cos_φ1_minus_φ2);
-        let t5 = p.m1_r1 * sin_φ1 + p.m2 * (l1_sin_φ1 + p.r2 * s2) + p.m3_r3 * s3;
-        let t6 = φ1 - 1.3962634015954636;
-        let t7 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3)
+            + p.C3 * (ω2 * cos_φ1_minus_φ2);
+        let t2 = p.m1_r1 * sin_φ1 + p.m2 * (l1_sin_φ1 + p.r2 * s2) + p.m3_r3 * s3;
+        let t3 = φ1 - 1.3962634015954636;
+        let t4 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t7.unwrap_to(turn_coupler);
-        let t8 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
-        let t9 = (p.s3_0 * t2 - p.constant2 * s3).atan2(p.constant2 * t2 + p.s3_0 * s3);
+        let φ2_minus_φ2_0 = t4.unwrap_to(turn_coupler);
+        let t5 = T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0;
+        let t6 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
-        let t10 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
-        let t11 = t5 * 9.81 + p.half_k * (t6 * t6) + p.half_k * (t8 * t8)
-            + p.half_k * (t10 * t10);
+        let φ3_minus_φ3_0 = t6.unwrap_to(turn_rocker);
+        let t7 = φ3_minus_φ3_0 - φ2_minus_φ2_0;
+        let t8 = t2 * 9.81 + p.half_k * (t3 * t3) + p.half_k * (t5 * t5)
+            + p.half_k * (t7 * t7);
         result[0] = A * 0.5 * (dφ1 * dφ1);
-        result[1] = t11 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
+        result[1] = t8 + p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
         result[2] = T::from_f64(0.0);
         result[3] = T::from_f64(0.0);
     }
@@ -764,10 +764,10 @@ pub mod four_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -(p.l1 * sin_φ1);
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
-        let t1 = p.constant3
+        let D = X * X + Y * Y;
+        let t1 = p.constant2
             * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
         result[0] = -t1;
     }
@@ -786,30 +786,31 @@ pub mod four_bar {
         let turn_rocker = d[1];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
         // vector that the two links that close crank–coupler–rocker span
         let X = p.l4 - p.l1 * cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
         // its length squared
-        let D = X * X + l1_sin_φ1 * l1_sin_φ1;
+        let D = X * X + Y * Y;
         let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
         let η = p.half_s * t1;
         let X_η = X * η;
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let l1_sin_φ1_κ = l1_sin_φ1 * κ;
-        let s2 = p.per_l2 * (X_η - l1_sin_φ1_κ);
+        let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
-        let l1_sin_φ1_η = l1_sin_φ1 * η;
-        let c2 = p.per_l2 * (X_κ + l1_sin_φ1_η);
+        let Y_η = Y * η;
+        let c2 = p.per_l2 * (X_κ - Y_η);
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let t3 = p.per_l3 * (X - X_κ - l1_sin_φ1_η);
-        let s3 = p.per_l3 * (l1_sin_φ1 - l1_sin_φ1_κ + X_η);
-        let t4 = (p.s3_0 * t3 - p.constant2 * s3).atan2(p.constant2 * t3 + p.s3_0 * s3);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t4.unwrap_to(turn_rocker);
+        let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
     }
@@ -1067,161 +1068,7 @@ pub mod four_bar {
     static INPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(3).0;
     static TURNING: [usize; 2] = [0, 1];
-    static FAILURES: [Failure; 23] = [
-        Failure {
-            message: Cow::Borrowed("the param `E` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 8,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param E  = 72 GPa                                          \"elastic modulus\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `b` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 9,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param b  = 3 mm                                            \"width, out of plane\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `e` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 10,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param e  = 1.5 mm                                          \"hinge web thickness\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `r` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 11,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param r  = 1 mm                                            \"hinge radius\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 12,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 12,
-                column: 21,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l3` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 12,
-                column: 35,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `l4` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 12,
-                column: 47,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param l1 = 10.2 mm, l2 = 23.2 mm, l3 = 10 mm, l4 = 25 mm   \"length of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `m1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 13,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g          \"mass of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `m2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 13,
-                column: 22,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g          \"mass of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `m3` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("four_bar.flex"),
-                line: 13,
-                column: 37,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param m1 = 0.2568 g, m2 = 0.5877 g, m3 = 0.2529 g          \"mass of a link\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
+    static FAILURES: [Failure; 12] = [
         Failure {
             message: Cow::Borrowed("the length of `crank` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1422,19 +1269,22 @@ Loop crank–coupler–rocker
 
   l1 e^(i φ1) + l2 e^(i φ2) - l3 e^(i φ3) - l4 = 0
 
-  X   = l4 - l1 cos(φ1)
-  Y   = -l1 sin(φ1)
-  D   = X² + Y²
-  κ   = (l2² - l3² + D) / (2 D)
-  η   = s sqrt(-(D - (l2 - l3)²) (D - (l2 + l3)²)) / (2 D)
-  c2  = (X κ - Y η) / l2
-  s2  = (Y κ + X η) / l2
-  c3  = -(X - X κ + Y η) / l3
-  s3  = (Y κ - Y + X η) / l3
+  X  = l4 - l1 cos(φ1)
+  Y  = -l1 sin(φ1)
+  D  = X² + Y²
+  κ  = (l2² - l3² + D) / (2 D)
+  η  = s sqrt((D - (l2 - l3)²) ((l2 + l3)² - D)) / (2 D)
+  c2 = (X κ - Y η) / l2
+  s2 = (Y κ + X η) / l2
+  c3 = -(X - X κ + Y η) / l3
+  s3 = (Y κ - Y + X η) / l3
+
+  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns
+
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
-  ω2' = (l1 (ω3 - 1) cos(φ1 - φ3) - l2 ω2 (ω2 - ω3) cos(φ2 - φ3)) / (l2 sin(φ2 - φ3))
-  ω3' = (l1 (ω2 - 1) cos(φ1 - φ2) - l3 ω3 (ω2 - ω3) cos(φ2 - φ3)) / (l3 sin(φ2 - φ3))
+  ω2' = (l1 (ω3 - 1) cos(φ1 - φ3) + l2 ω2 (ω3 - ω2) cos(φ2 - φ3)) / (l2 sin(φ2 - φ3))
+  ω3' = (l1 (ω2 - 1) cos(φ1 - φ2) + l3 ω3 (ω3 - ω2) cos(φ2 - φ3)) / (l3 sin(φ2 - φ3))
 
 Constants of the inertia
 ────────────────────────
@@ -1499,15 +1349,16 @@ X &= l_{4} - l_{1} \cos \varphi_{1} \\
 Y &= -l_{1} \sin \varphi_{1} \\
 D &= X^{2} + Y^{2} \\
 \kappa &= \frac{l_{2}^{2} - l_{3}^{2} + D}{2 \, D} \\
-\eta &= \frac{s}{2 \, D} \, \sqrt{-\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(D - \left(l_{2} + l_{3}\right)^{2}\right)} \\
+\eta &= \frac{s}{2 \, D} \, \sqrt{\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D\right)} \\
 \cos \varphi_{2} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
 \sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
+& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
-\omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) - l_{2} \, \omega_{2} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
-\omega'_{3} &= \frac{l_{1} \left(\omega_{2} - 1\right) \cos\left(\varphi_{1} - \varphi_{2}\right) - l_{3} \, \omega_{3} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)}
+\omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
+\omega'_{3} &= \frac{l_{1} \left(\omega_{2} - 1\right) \cos\left(\varphi_{1} - \varphi_{2}\right) + l_{3} \, \omega_{3} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)}
 \end{align*}
 
 \subsection*{Constants of the inertia}

@@ -77,6 +77,21 @@ pub mod lugre_mass {
                 self.v_s,
             ]
         }
+        /// Params of values in the order of [`VARIABLES`].
+        pub fn from_values(values: [f64; 10]) -> Self {
+            Self {
+                m: values[0],
+                k: values[1],
+                pull: values[2],
+                FN: values[3],
+                sigma0: values[4],
+                sigma1: values[5],
+                sigma2: values[6],
+                mu_s: values[7],
+                mu_c: values[8],
+                v_s: values[9],
+            }
+        }
         /// Closes the loops and computes everything that depends on params alone.
         ///
         /// # Errors
@@ -97,63 +112,34 @@ pub mod lugre_mass {
             let v_s_squared = v_s * v_s;
             let F_S = mu_s * FN;
             let F_S_minus_F_C = F_S - F_C;
-            let dddx_block_dx_block = -(k / m);
-            if !(1e300 - m.abs() >= 0.0) {
+            let dF_rope_dx_block = -k;
+            let dddx_block_dx_block = dF_rope_dx_block / m;
+            if !(m >= 0.0) {
                 return Err(FAILURES[0].diagnostic(&[m]));
             }
-            if !(1e300 - k.abs() >= 0.0) {
-                return Err(FAILURES[1].diagnostic(&[k]));
-            }
-            if !(1e300 - pull.abs() >= 0.0) {
-                return Err(FAILURES[2].diagnostic(&[pull]));
-            }
-            if !(1e300 - FN.abs() >= 0.0) {
-                return Err(FAILURES[3].diagnostic(&[FN]));
-            }
-            if !(1e300 - sigma0.abs() >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[sigma0]));
-            }
-            if !(1e300 - sigma1.abs() >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[sigma1]));
-            }
-            if !(1e300 - sigma2.abs() >= 0.0) {
-                return Err(FAILURES[6].diagnostic(&[sigma2]));
-            }
-            if !(1e300 - mu_s.abs() >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mu_s]));
-            }
-            if !(1e300 - mu_c.abs() >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[mu_c]));
-            }
-            if !(1e300 - v_s.abs() >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[v_s]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[m]));
-            }
             if !(sigma0 > 0.0) {
-                return Err(FAILURES[11].diagnostic(&[sigma0]));
+                return Err(FAILURES[1].diagnostic(&[sigma0]));
             }
             if !(sigma1 >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[sigma1]));
+                return Err(FAILURES[2].diagnostic(&[sigma1]));
             }
             if !(sigma2 >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[sigma2]));
+                return Err(FAILURES[3].diagnostic(&[sigma2]));
             }
             if !(mu_s > 0.0) {
-                return Err(FAILURES[14].diagnostic(&[mu_s]));
+                return Err(FAILURES[4].diagnostic(&[mu_s]));
             }
             if !(mu_c > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[mu_c]));
+                return Err(FAILURES[5].diagnostic(&[mu_c]));
             }
             if !(v_s > 0.0) {
-                return Err(FAILURES[16].diagnostic(&[v_s]));
+                return Err(FAILURES[6].diagnostic(&[v_s]));
             }
             if !(FN > 0.0) {
-                return Err(FAILURES[17].diagnostic(&[FN]));
+                return Err(FAILURES[7].diagnostic(&[FN]));
             }
             if !(m > 0.0) {
-                return Err(FAILURES[18].diagnostic(&[]));
+                return Err(FAILURES[8].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [0.0, 0.0, 0.0],
@@ -289,15 +275,16 @@ pub mod lugre_mass {
         let g_v = p.per_sigma0 * (p.F_C + p.F_S_minus_F_C * t1);
         let per_g_v = g_v.recip();
         let abs_dx_block = dx_block.abs();
-        let t2 = z * abs_dx_block * (g_v * g_v).recip()
-            * (p.constant1 * (dx_block * t1));
-        let dż_ddx_block = T::from_f64(1.0) - z * per_g_v * dx_block.sign() - t2;
+        let dg_v_ddx_block = -(p.constant1 * (dx_block * t1));
+        let dż_ddx_block = T::from_f64(1.0) - z * per_g_v * dx_block.sign()
+            + z * abs_dx_block * (g_v * g_v).recip() * dg_v_ddx_block;
         let dF_f_ddx_block = p.sigma2 + p.sigma1 * dż_ddx_block;
-        let dddx_block_ddx_block = -(p.per_m * dF_f_ddx_block);
-        let abs_dx_block_per_g_v = abs_dx_block * per_g_v;
-        let dQ_block_dz = p.sigma1 * abs_dx_block_per_g_v - p.sigma0;
+        let dQ_block_ddx_block = -dF_f_ddx_block;
+        let dddx_block_ddx_block = p.per_m * dQ_block_ddx_block;
+        let dż_dz = -(abs_dx_block * per_g_v);
+        let dF_f_dz = p.sigma0 + p.sigma1 * dż_dz;
+        let dQ_block_dz = -dF_f_dz;
         let dddx_block_dz = p.per_m * dQ_block_dz;
-        let dż_dz = -abs_dx_block_per_g_v;
         result[1] = T::from_f64(1.0);
         result[3] = p.dddx_block_dx_block;
         result[4] = dddx_block_ddx_block;
@@ -657,147 +644,7 @@ pub mod lugre_mass {
     static INPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(4).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 19] = [
-        Failure {
-            message: Cow::Borrowed("the param `m` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 8,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param m  = 1 kg                           \"mass\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `k` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 9,
-                column: 7,
-                width: 1,
-                excerpt: Cow::Borrowed(
-                    "param k  = 2 N/m                          \"spring stiffness\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `pull` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 10,
-                column: 7,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "param pull = 0.1 m/s                      \"velocity of the spring's far end\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `FN` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 11,
-                column: 7,
-                width: 2,
-                excerpt: Cow::Borrowed(
-                    "param FN = 1 N                            \"normal force\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `sigma0` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 12,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param sigma0 = 1e5 N/m                    \"bristle stiffness\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `sigma1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 13,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param sigma1 = sqrt(1e5 N/m * 1 kg)       \"bristle damping\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `sigma2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 14,
-                column: 7,
-                width: 6,
-                excerpt: Cow::Borrowed(
-                    "param sigma2 = 0.4 N*s/m                  \"viscous friction\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `mu_s` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 15,
-                column: 7,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "param mu_s = 1.5                          \"static friction over normal force\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `mu_c` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 16,
-                column: 7,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "param mu_c = 1                            \"sliding friction over normal force\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
-        Failure {
-            message: Cow::Borrowed("the param `v_s` is {0}"),
-            hint: Some(Cow::Borrowed("it must be a finite number")),
-            site: Some(Site {
-                file: Cow::Borrowed("lugre_mass.flex"),
-                line: 17,
-                column: 7,
-                width: 3,
-                excerpt: Cow::Borrowed(
-                    "param v_s  = 1 mm/s                       \"Stribeck velocity\"",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Number]),
-        },
+    static FAILURES: [Failure; 9] = [
         Failure {
             message: Cow::Borrowed("the mass of `block` is {0}"),
             hint: Some(Cow::Borrowed("it must not be below zero")),

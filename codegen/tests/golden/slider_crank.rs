@@ -55,6 +55,17 @@ pub mod slider_crank {
         pub fn values(&self) -> [f64; 6] {
             [self.r, self.l, self.type_, self.E, self.e, self.β]
         }
+        /// Params of values in the order of [`VARIABLES`].
+        pub fn from_values(values: [f64; 6]) -> Self {
+            Self {
+                r: values[0],
+                l: values[1],
+                type_: values[2],
+                E: values[3],
+                e: values[4],
+                β: values[5],
+            }
+        }
         /// Closes the loops and computes everything that depends on params alone.
         ///
         /// # Errors
@@ -97,7 +108,7 @@ pub mod slider_crank {
                 .atan2((1.0 - r_squared * (sin_θ_2 * sin_θ_2) / l_squared).sqrt());
             let prepared = Prepared {
                 start_states: [θ, 0.0],
-                start_discretes: [0.0, t1],
+                start_discretes: [0.0, 0.5, t1],
                 r,
                 l,
                 type_,
@@ -110,6 +121,7 @@ pub mod slider_crank {
                 sin_β,
                 r_type: r * type_,
                 per_J: J.recip(),
+                constant1: 0.25 - E,
                 half_J: J * 0.5,
                 half_E: E * 0.5,
                 per_e: e.recip(),
@@ -125,7 +137,7 @@ pub mod slider_crank {
         /// Continuous state at the start.
         pub start_states: [T; 2],
         /// Discrete state at the start.
-        pub start_discretes: [T; 2],
+        pub start_discretes: [T; 3],
         /// `r`
         pub r: T,
         /// `l`
@@ -150,6 +162,8 @@ pub mod slider_crank {
         pub r_type: T,
         /// `1.0 / J`
         pub per_J: T,
+        /// `0.25 - E`
+        pub constant1: T,
         /// `0.5 * J`
         pub half_J: T,
         /// `0.5 * E`
@@ -175,6 +189,7 @@ pub mod slider_crank {
                 sin_β: turn(self.sin_β),
                 r_type: turn(self.r_type),
                 per_J: turn(self.per_J),
+                constant1: turn(self.constant1),
                 half_J: turn(self.half_J),
                 half_E: turn(self.half_E),
                 per_e: turn(self.per_e),
@@ -186,7 +201,7 @@ pub mod slider_crank {
     pub fn rhs<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
         dx: &mut [T; 2],
@@ -194,72 +209,153 @@ pub mod slider_crank {
         let φ1 = x[0];
         let ω = x[1];
         let n = d[0];
+        let level = d[1];
         let u_2 = u[0];
         // ── configuration ──
+        let t1 = p.type_
+            * (((φ1 + p.θ) * 0.5).sin() * ((p.θ - φ1) * 0.5).sin() * 2.0);
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let cos_φ2 = (T::from_f64(1.0)
             - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
             .sqrt();
-        let r_per_l_sin_φ1 = p.r_per_l * sin_φ1;
-        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 - sin_φ1 * r_per_l_sin_φ1;
-        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 + cos_φ1 * r_per_l_sin_φ1;
-        let t1 = p.r_type
+        let sin_φ2 = -(p.r_per_l * sin_φ1);
+        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
+        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
+        let t2 = p.r_type
             * (p.cos_β * cos_φ1_minus_φ2 + p.sin_β * sin_φ1_minus_φ2);
-        let t2 = p.type_
-            * (((φ1 + p.θ) * 0.5).sin() * ((p.θ - φ1) * 0.5).sin() * 2.0);
+        let t3 = φ1 * 0.25 + 0.5;
+        let (t4, t5) = t3.sin_cos();
+        let t6 = t1 - t2 - p.E * (φ1 - p.θ) + t4 + t5 + t3.tan() + t3.asin()
+            + t3.acos();
+        let t7 = t6 + t3.atan() + t3.tanh() + t3.exp() + t3.ln() + t3.abs() + t3.sign();
         // ── state ──
-        let t3 = p.per_J * (t1 + p.E * (φ1 - p.θ) - t2 - u_2 + p.E * (n - p.e * t));
+        let half_plus_half_tanh_ω = ω.tanh() * 0.5 + 0.5;
+        let t8 = t7 + t3.floor() + u_2 + t3.atan2(half_plus_half_tanh_ω)
+            + t3.smaller(half_plus_half_tanh_ω);
+        let t9 = t8 + t3.larger(half_plus_half_tanh_ω)
+            + t3.power(half_plus_half_tanh_ω);
+        let t10 = (t3 + half_plus_half_tanh_ω) * 0.5;
+        let (t11, t12) = t10.sin_cos();
+        let t13 = t9 + t11 * ((half_plus_half_tanh_ω - t3) * 0.5).sin() * 2.0
+            + t12 * ((t3 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0;
+        let t14 = t13 + t3.unwrap_to(half_plus_half_tanh_ω)
+            + (u_2 * 0.25).if_positive(t3, half_plus_half_tanh_ω);
         dx[0] = ω;
-        dx[1] = -t3;
+        dx[1] = p.per_J * (t14 + level - p.E * (n - p.e * t));
     }
     /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
     #[inline(always)]
     pub fn jacobian<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
         result: &mut [T; 4],
     ) {
         let φ1 = x[0];
+        let ω = x[1];
+        let u_2 = u[0];
         // ── configuration ──
+        let t1 = φ1 * 0.25;
+        let t2 = t1 + 0.5;
+        let (t3, t4) = t2.sin_cos();
+        let t5 = p.constant1 - t3 * 0.5 + t4 * 0.5 + t2.exp() * 0.25 + t2.sign() * 0.25;
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let cos_φ2 = (T::from_f64(1.0)
             - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
             .sqrt();
-        let r_per_l_sin_φ1 = p.r_per_l * sin_φ1;
-        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 - sin_φ1 * r_per_l_sin_φ1;
-        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 + cos_φ1 * r_per_l_sin_φ1;
-        let t1 = (p.sin_β * cos_φ1_minus_φ2 - p.cos_β * sin_φ1_minus_φ2)
+        let sin_φ2 = -(p.r_per_l * sin_φ1);
+        let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
+        let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
+        let t6 = (p.sin_β * cos_φ1_minus_φ2 - p.cos_β * sin_φ1_minus_φ2)
             * (p.r_per_l * (cos_φ2.recip() * cos_φ1) + 1.0);
+        let t7 = t2.tan();
+        let t8 = t2 * t2;
+        let t9 = t5 - p.r_type * t6 - p.type_ * sin_φ1 + (t7 * t7 + 1.0) * 0.25
+            + T::from_f64(0.25) / (t8 + 1.0);
+        let t10 = t2.tanh();
+        // ── state ──
+        let tanh_ω = ω.tanh();
+        let half_tanh_ω = tanh_ω * 0.5;
+        let half_plus_half_tanh_ω = half_tanh_ω + 0.5;
+        let t11 = (t8 + half_plus_half_tanh_ω * half_plus_half_tanh_ω).recip();
+        let t12 = t9 - (t10 * t10 - 1.0) * 0.25 + T::from_f64(0.25) / t2
+            + half_plus_half_tanh_ω * t11 * 0.25;
+        let t13 = half_tanh_ω - t1;
+        let t14 = t1 - half_tanh_ω;
+        let t15 = t12 + t13.if_positive(T::from_f64(0.25), T::from_f64(0.0))
+            + t14.if_positive(T::from_f64(0.25), T::from_f64(0.0));
+        let t16 = t15 + half_plus_half_tanh_ω * t2.power(half_tanh_ω - 0.5) * 0.25;
+        let t17 = u_2 * 0.25;
+        let t18 = p.per_J * (t16 + t17.if_positive(T::from_f64(0.25), T::from_f64(0.0)));
+        let tanh_ω_squared_minus_one = tanh_ω * tanh_ω - 1.0;
+        let t19 = -(tanh_ω_squared_minus_one * 0.5);
+        let t20 = t2 * 0.5 * (t11 * tanh_ω_squared_minus_one)
+            + t13.if_positive(T::from_f64(0.0), t19);
+        let t21 = t2.ln() * 0.5
+            * (t2.power(half_plus_half_tanh_ω) * tanh_ω_squared_minus_one);
+        let (t22, t23) = half_plus_half_tanh_ω.sin_cos();
+        let t24 = t20 + t14.if_positive(T::from_f64(0.0), t19) - t21
+            - tanh_ω_squared_minus_one * t22 * 0.5;
+        let t25 = t24 + tanh_ω_squared_minus_one * t23 * 0.5
+            + t17.if_positive(T::from_f64(0.0), t19);
         result[1] = T::from_f64(1.0);
-        result[2] = -(p.per_J * (p.E + p.r_type * t1 + p.type_ * sin_φ1));
+        result[2] = t18;
+        result[3] = p.per_J * t25;
     }
     /// The model's outputs.
     #[inline(always)]
     pub fn outputs<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
-        result: &mut [T; 1],
+        result: &mut [T; 21],
     ) {
         let φ1 = x[0];
+        let ω = x[1];
+        let u_2 = u[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let cos_φ2 = (T::from_f64(1.0)
             - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
             .sqrt();
+        let t1 = φ1 * 0.25 + 0.5;
+        let (t2, t3) = t1.sin_cos();
+        // ── state ──
+        let half_plus_half_tanh_ω = ω.tanh() * 0.5 + 0.5;
+        let t4 = (t1 + half_plus_half_tanh_ω) * 0.5;
+        let (t5, t6) = t4.sin_cos();
         result[0] = p.r * cos_φ1 + p.l * cos_φ2;
+        result[1] = t2;
+        result[2] = t3;
+        result[3] = t1.tan();
+        result[4] = t1.asin();
+        result[5] = t1.acos();
+        result[6] = t1.atan();
+        result[7] = t1.tanh();
+        result[8] = t1.exp();
+        result[9] = t1.ln();
+        result[10] = t1.abs();
+        result[11] = t1.sign();
+        result[12] = t1.floor();
+        result[13] = t1.atan2(half_plus_half_tanh_ω);
+        result[14] = t1.smaller(half_plus_half_tanh_ω);
+        result[15] = t1.larger(half_plus_half_tanh_ω);
+        result[16] = t1.power(half_plus_half_tanh_ω);
+        result[17] = t5 * ((half_plus_half_tanh_ω - t1) * 0.5).sin() * 2.0;
+        result[18] = t6 * ((t1 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0;
+        result[19] = t1.unwrap_to(half_plus_half_tanh_ω);
+        result[20] = (u_2 * 0.25).if_positive(t1, half_plus_half_tanh_ω);
     }
     /// Kinetic and potential energy in J, dissipated and supplied power in W.
     #[inline(always)]
     pub fn energy<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
         result: &mut [T; 4],
@@ -279,7 +375,7 @@ pub mod slider_crank {
     pub fn events<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
         result: &mut [T; 1],
@@ -292,7 +388,7 @@ pub mod slider_crank {
     pub fn closures<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
         result: &mut [T; 1],
@@ -307,13 +403,13 @@ pub mod slider_crank {
     pub fn accept<T: Real>(
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
-        result: &mut [T; 2],
+        result: &mut [T; 3],
     ) {
         let φ1 = x[0];
-        let φ2_reference = d[1];
+        let φ2_reference = d[2];
         // ── configuration ──
         let sin_φ1 = φ1.sin();
         let sin_φ2 = -(p.r_per_l * sin_φ1);
@@ -322,11 +418,11 @@ pub mod slider_crank {
             .sqrt();
         // angle of the rod
         let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
-        result[1] = φ2;
+        result[2] = φ2;
     }
     /// Time in s of each drive's next kink.
     #[inline(always)]
-    pub fn next_kinks<T: Real>(d: &[T; 2], p: &Prepared<T>, result: &mut [T; 1]) {
+    pub fn next_kinks<T: Real>(d: &[T; 3], p: &Prepared<T>, result: &mut [T; 1]) {
         let n = d[0];
         result[0] = p.per_e * (n + 1.0);
     }
@@ -334,14 +430,15 @@ pub mod slider_crank {
     #[inline(always)]
     pub fn pass_kink<T: Real>(
         index: usize,
-        d: &[T; 2],
+        d: &[T; 3],
         p: &Prepared<T>,
-        result: &mut [T; 2],
+        result: &mut [T; 3],
     ) {
         match index {
             0 => {
                 let n = d[0];
                 result[0] = n + 1.0;
+                result[1] = n.lookup(&TABLE_1);
             }
             _ => {}
         }
@@ -352,11 +449,11 @@ pub mod slider_crank {
         index: usize,
         t: T,
         x: &[T; 2],
-        d: &[T; 2],
+        d: &[T; 3],
         u: &[T; 1],
         p: &Prepared<T>,
         x_after: &mut [T; 2],
-        d_after: &mut [T; 2],
+        d_after: &mut [T; 3],
     ) {
         match index {
             0 => {
@@ -460,7 +557,7 @@ pub mod slider_crank {
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
-    pub static VARIABLES: [Variable; 12] = [
+    pub static VARIABLES: [Variable; 33] = [
         Variable {
             name: Cow::Borrowed("r"),
             unit: Cow::Borrowed("1"),
@@ -525,6 +622,13 @@ pub mod slider_crank {
             start: None,
         },
         Variable {
+            name: Cow::Borrowed("drive.level"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed("torque of the present period"),
+            causality: Causality::Discrete,
+            start: None,
+        },
+        Variable {
             name: Cow::Borrowed("rod.reference"),
             unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("angle of the rod after the last step"),
@@ -545,13 +649,153 @@ pub mod slider_crank {
             causality: Causality::Output,
             start: None,
         },
+        Variable {
+            name: Cow::Borrowed("sin"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("cos"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("tan"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("asin"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("acos"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("atan"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("tanh"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("exp"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("log"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("abs"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("sign"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("floor"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("atan2"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("min"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("max"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("power"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("cos_difference"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("sin_difference"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("unwrap"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
+        Variable {
+            name: Cow::Borrowed("if_positive"),
+            unit: Cow::Borrowed("1"),
+            meaning: Cow::Borrowed(""),
+            causality: Causality::Output,
+            start: None,
+        },
     ];
     static PARAMS: &[Variable] = VARIABLES.split_at(0).1.split_at(6).0;
     static STATES: &[Variable] = VARIABLES.split_at(6).1.split_at(2).0;
-    static DISCRETES: &[Variable] = VARIABLES.split_at(8).1.split_at(2).0;
-    static INPUTS: &[Variable] = VARIABLES.split_at(10).1.split_at(1).0;
-    static OUTPUTS: &[Variable] = VARIABLES.split_at(11).1.split_at(1).0;
-    static TURNING: [usize; 1] = [1];
+    static DISCRETES: &[Variable] = VARIABLES.split_at(8).1.split_at(3).0;
+    static INPUTS: &[Variable] = VARIABLES.split_at(11).1.split_at(1).0;
+    static OUTPUTS: &[Variable] = VARIABLES.split_at(12).1.split_at(21).0;
+    static TURNING: [usize; 1] = [2];
     static FAILURES: [Failure; 2] = [
         Failure {
             message: Cow::Borrowed("the rod of {0} is shorter than the crank"),
@@ -566,6 +810,7 @@ pub mod slider_crank {
             units: Cow::Borrowed(&[Unit::Degree]),
         },
     ];
+    static TABLE_1: [f64; 3] = [0.25, -1.5, 2.0];
     /// The equations of motion in plain text.
     pub const EQUATIONS: &str = r#"slider_crank
 ════════════

@@ -103,7 +103,7 @@ pub fn compare(equations: &Equations, params: &[f64], system: &dyn System, state
         let mut out = vec![0.0; equations.loops.len()];
         system.closures(t, x, d, u, &mut out);
         // Where a loop cannot close there is nothing to compare.
-        if out.iter().any(|closure| !(*closure > 1e-6)) {
+        if !out.iter().all(|closure| *closure > 1e-6) {
             open += 1;
             continue;
         }

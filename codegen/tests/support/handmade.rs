@@ -101,7 +101,13 @@ pub fn slider_crank() -> Equations {
     let spring = g.mul(k, stretch);
     let lever = g.function(Function::CosDifference, &[phi, theta]);
     let lever = g.mul(lever, m);
-    let sum = g.sum(&[drive, torque_value, lever]);
+    let every = every_function(g, phi, omega, torque_value);
+    let everything = g.sum(&every);
+    let level = g.symbol("level", "level");
+    let level_value = g.of(level);
+    let table = g.table(vec![0.25, -1.5, 2.0]);
+    let next_level = g.function(table, &[n]);
+    let sum = g.sum(&[drive, torque_value, lever, level_value, everything]);
     let force = g.sub(sum, gravity);
     let force = g.sub(force, spring);
     let acceleration = g.div(force, inertia_of);
@@ -205,6 +211,14 @@ pub fn slider_crank() -> Equations {
                 turning: false,
             },
             Discrete {
+                name: "drive.level".to_owned(),
+                meaning: "torque of the present period".to_owned(),
+                symbol: level,
+                initial: half,
+                accepted: None,
+                turning: false,
+            },
+            Discrete {
                 name: "rod.reference".to_owned(),
                 meaning: "angle of the rod after the last step".to_owned(),
                 symbol: reference,
@@ -216,7 +230,7 @@ pub fn slider_crank() -> Equations {
         kinks: vec![Kink {
             name: "drive".to_owned(),
             next: next_time,
-            updates: vec![(0, next)],
+            updates: vec![(0, next), (1, next_level)],
             jumps: true,
         }],
         events: vec![Event {
@@ -226,12 +240,24 @@ pub fn slider_crank() -> Equations {
             discrete_updates: vec![],
             stop: Some("the crank left its range".to_owned()),
         }],
-        outputs: vec![Output {
+        outputs: std::iter::once(Output {
             name: "slider.x".to_owned(),
             unit: "m".to_owned(),
             meaning: "where the rod ends".to_owned(),
             value: x_end,
-        }],
+        })
+        .chain(
+            Function::ALL
+                .iter()
+                .zip(every)
+                .map(|(function, value)| Output {
+                    name: function.name().to_owned(),
+                    unit: "1".to_owned(),
+                    meaning: String::new(),
+                    value,
+                }),
+        )
+        .collect(),
         energy: Energy {
             kinetic,
             potential,
@@ -267,4 +293,26 @@ pub fn slider_crank() -> Equations {
         drawing: Drawing::default(),
         graph,
     }
+}
+
+/// Each function once, of arguments for which all of them have a value and a derivative.
+fn every_function(g: &mut Graph, phi: Expr, omega: Expr, torque: Expr) -> Vec<Expr> {
+    let half = g.ratio(1, 2);
+    let quarter = g.ratio(1, 4);
+    let small = g.mul(quarter, phi);
+    let a = g.add(half, small);
+    let bounded = g.function(Function::Tanh, &[omega]);
+    let b = g.mul(half, bounded);
+    let b = g.add(b, half);
+    let c = g.mul(quarter, torque);
+    Function::ALL
+        .iter()
+        .map(|function| {
+            let arguments = match function {
+                Function::IfPositive => [c, a, b],
+                _ => [a, b, c],
+            };
+            g.function(*function, &arguments[..function.arity()])
+        })
+        .collect()
 }

@@ -12,7 +12,6 @@ use crate::notation::latex_of;
 use crate::source::Span;
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::tree::{self, Declaration, Entry, File, ItemKind};
-use crate::units::Dimension;
 
 impl Resolver<'_> {
     pub(super) fn params(&mut self, file: &File) {
@@ -208,14 +207,7 @@ impl Resolver<'_> {
             });
         };
         let value = self.scalar(&entry.value, Scope::Constants)?;
-        let (dimension, default) = {
-            let param = &self.model.params[index];
-            (param.dimension, param.default)
-        };
-        // A default of 0 says nothing of the dimension.
-        if self.model.graph.is_zero(default) && dimension == Dimension::NONE {
-            return Ok((index, value.expr));
-        }
+        let dimension = self.model.params[index].dimension;
         let described = dimension.described();
         let what = format!("`{}`", name.text);
         if !value.zero && !value.dimension.same_units(dimension) {

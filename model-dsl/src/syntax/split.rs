@@ -83,6 +83,11 @@ impl<'a> Splitter<'a> {
                 '"' => self.string(at, rest),
                 '(' | '{' => self.opening(at, c),
                 ')' | '}' => self.closing(at, c),
+                // Signs and blanks that word processors put in place of plain ones.
+                '\u{2212}' => self.keep_as(at, '-', c),
+                '×' => self.keep_as(at, '*', c),
+                '\u{FEFF}' => self.keep_as_blank(c),
+                c if c.is_whitespace() && !c.is_ascii() => self.keep_as_blank(c),
                 c if c.is_whitespace() => self.keep(at, c, false),
                 c if is_word(c) => self.word(at, rest),
                 c => self.keep(at, c, true),
@@ -98,6 +103,21 @@ impl<'a> Splitter<'a> {
         }
         if self.start.is_some() {
             self.clean.push(c);
+        }
+        c.len_utf8()
+    }
+
+    /// Keeps `plain` instead of `c`, filled up with blanks so that places stay true.
+    fn keep_as(&mut self, at: usize, plain: char, c: char) -> usize {
+        self.keep(at, plain, true);
+        let rest = c.len_utf8() - plain.len_utf8();
+        self.clean.extend(std::iter::repeat_n(' ', rest));
+        c.len_utf8()
+    }
+
+    fn keep_as_blank(&mut self, c: char) -> usize {
+        if self.start.is_some() {
+            self.clean.extend(std::iter::repeat_n(' ', c.len_utf8()));
         }
         c.len_utf8()
     }

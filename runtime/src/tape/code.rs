@@ -17,22 +17,57 @@ pub struct Instruction {
     pub operands: [u32; 3],
 }
 
-/// Runs `code` over `registers`; every register of every instruction must exist.
+/// Registers by number.
+trait Bank<T> {
+    fn read(&self, register: u32) -> T;
+    fn write(&mut self, register: u32, value: T);
+}
+
+/// Any number of registers; one that does not exist is a panic.
+impl<T: Copy> Bank<T> for [T] {
+    #[inline(always)]
+    fn read(&self, register: u32) -> T {
+        self[register as usize]
+    }
+    #[inline(always)]
+    fn write(&mut self, register: u32, value: T) {
+        self[register as usize] = value;
+    }
+}
+
+/// A power of two of registers, of which none needs to be checked.
+struct Few<T, const N: usize>([T; N]);
+
+impl<T: Copy, const N: usize> Bank<T> for Few<T, N> {
+    #[inline(always)]
+    fn read(&self, register: u32) -> T {
+        const { assert!(N.is_power_of_two()) };
+        self.0[register as usize & (N - 1)]
+    }
+    #[inline(always)]
+    fn write(&mut self, register: u32, value: T) {
+        const { assert!(N.is_power_of_two()) };
+        self.0[register as usize & (N - 1)] = value;
+    }
+}
+
+/// Runs `code` over all `registers`.
 pub(super) fn run<T: Real>(code: &[Instruction], registers: &mut [T], tables: &[Vec<f64>]) {
+    run_in(code, registers, tables);
+}
+
+/// Runs `code`; every register of every instruction must exist.
+#[inline(always)]
+fn run_in<T: Real, B: Bank<T> + ?Sized>(code: &[Instruction], bank: &mut B, tables: &[Vec<f64>]) {
     for instruction in code {
-        let [a, b, c] = instruction.operands.map(|operand| operand as usize);
-        let table: &[f64] = match instruction.operation {
-            Operation::Lookup => &tables[b],
-            _ => &[],
-        };
-        let b = match instruction.operation {
-            Operation::Lookup => a,
-            _ => b,
-        };
-        registers[instruction.destination as usize] =
-            instruction
-                .operation
-                .apply(registers[a], registers[b], registers[c], table);
+        let [first, second, third] = instruction.operands;
+        let value = instruction.operation.apply(
+            bank.read(first),
+            || bank.read(second),
+            || bank.read(third),
+            || &tables[second as usize],
+        );
+        bank.write(instruction.destination, value);
     }
 }
 
@@ -83,9 +118,10 @@ pub(super) struct Arguments<'a> {
     pub u: &'a [f64],
 }
 
-/// Registers that fit on the stack without much cost of clearing them.
-const SMALL: usize = 96;
-const MEDIUM: usize = 512;
+/// Registers that are cheap to clear, on the stack.
+const FEW: usize = 128;
+/// Registers that still fit on the stack.
+const SEVERAL: usize = 1024;
 
 impl Tape {
     /// The fixed registers for a prepared parameter set.
@@ -109,24 +145,25 @@ impl Tape {
         out: &mut [f64],
     ) {
         let count = self.registers as usize;
-        if count <= SMALL {
-            self.evaluate_in(&mut [0.0; SMALL][..count], image, arguments, tables, out);
-        } else if count <= MEDIUM {
-            self.evaluate_in(&mut [0.0; MEDIUM][..count], image, arguments, tables, out);
+        if count <= FEW {
+            let mut few = Few([0.0; FEW]);
+            self.fill(&mut few.0, image, arguments);
+            run_in(&self.code, &mut few, tables);
+            self.collect(&few.0, out);
+        } else if count <= SEVERAL {
+            let mut several = Few([0.0; SEVERAL]);
+            self.fill(&mut several.0, image, arguments);
+            run_in(&self.code, &mut several, tables);
+            self.collect(&several.0, out);
         } else {
-            self.evaluate_in(&mut vec![0.0; count], image, arguments, tables, out);
+            let mut many = vec![0.0; count];
+            self.fill(&mut many, image, arguments);
+            run(&self.code, &mut many, tables);
+            self.collect(&many, out);
         }
     }
 
-    #[inline(always)]
-    fn evaluate_in(
-        &self,
-        registers: &mut [f64],
-        image: &[f64],
-        arguments: Arguments<'_>,
-        tables: &[Vec<f64>],
-        out: &mut [f64],
-    ) {
+    fn fill(&self, registers: &mut [f64], image: &[f64], arguments: Arguments<'_>) {
         registers[..image.len()].copy_from_slice(image);
         for (register, load) in registers[image.len()..].iter_mut().zip(&self.loads) {
             *register = match load {
@@ -136,7 +173,9 @@ impl Tape {
                 Load::Input(index) => arguments.u[*index as usize],
             };
         }
-        run(&self.code, registers, tables);
+    }
+
+    fn collect(&self, registers: &[f64], out: &mut [f64]) {
         for (position, register) in &self.results {
             out[*position as usize] = registers[*register as usize];
         }

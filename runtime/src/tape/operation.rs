@@ -86,16 +86,22 @@ operations! {
 }
 
 impl Operation {
-    /// The result for three operands, of which the first [`Operation::arity`] count. `table` is
-    /// what [`Operation::Lookup`] reads.
+    /// The result for a first operand; the others and the table that [`Operation::Lookup`] reads
+    /// are fetched by those operations that take them.
     #[inline(always)]
-    pub fn apply<T: Real>(self, a: T, b: T, c: T, table: &[f64]) -> T {
+    pub fn apply<'t, T: Real>(
+        self,
+        a: T,
+        b: impl FnOnce() -> T,
+        c: impl FnOnce() -> T,
+        table: impl FnOnce() -> &'t [f64],
+    ) -> T {
         match self {
             Operation::Negate => -a,
-            Operation::Add => a + b,
-            Operation::Subtract => a - b,
-            Operation::Multiply => a * b,
-            Operation::Divide => a / b,
+            Operation::Add => a + b(),
+            Operation::Subtract => a - b(),
+            Operation::Multiply => a * b(),
+            Operation::Divide => a / b(),
             Operation::Sqrt => a.sqrt(),
             Operation::Sin => a.sin(),
             Operation::Cos => a.cos(),
@@ -109,13 +115,13 @@ impl Operation {
             Operation::Abs => a.abs(),
             Operation::Sign => a.sign(),
             Operation::Floor => a.floor(),
-            Operation::Atan2 => a.atan2(b),
-            Operation::Min => a.smaller(b),
-            Operation::Max => a.larger(b),
-            Operation::Power => a.power(b),
-            Operation::Unwrap => a.unwrap_to(b),
-            Operation::IfPositive => a.if_positive(b, c),
-            Operation::Lookup => a.lookup(table),
+            Operation::Atan2 => a.atan2(b()),
+            Operation::Min => a.smaller(b()),
+            Operation::Max => a.larger(b()),
+            Operation::Power => a.power(b()),
+            Operation::Unwrap => a.unwrap_to(b()),
+            Operation::IfPositive => a.if_positive(b(), c()),
+            Operation::Lookup => a.lookup(table()),
         }
     }
 }

@@ -46,7 +46,7 @@ impl Mechanism<'_> {
                 rows[i][j + 3] / if j % 3 == 2 { size } else { 1.0 }
             });
             let step = matrix
-                .full_piv_lu()
+                .lu()
                 .solve(&DVector::from_vec(gaps))
                 .ok_or("the constraints are singular")?;
             let largest = step.iter().fold(0.0, |worst: f64, s| worst.max(s.abs()));

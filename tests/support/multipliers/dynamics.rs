@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::plane::{dot, product, refined, turned};
+use super::plane::{condition, dot, product, refined, turned};
 use super::{Assembly, Energies, Mechanism, Motion, Place, Surroundings};
 
 impl Mechanism<'_> {
@@ -80,8 +80,7 @@ impl Mechanism<'_> {
             }
         });
         let solution = refined(&matrix, &vector).ok_or("the bordered system is singular")?;
-        let singular = matrix.singular_values();
-        let condition = singular.max() / singular.min();
+        let condition = condition(&matrix);
         let mut acceleration = vec![0.0; q.len()];
         for j in 0..width {
             acceleration[j + 3] = solution[j] * scale[j];

@@ -7,6 +7,9 @@ use super::plane::{dot, perpendicular, product, scaled, sub, turned};
 use super::reading::{evaluator, local, place};
 use super::{Assembly, Contact, Direction, LuGre, Mechanism, Place, Plane, Spring, Surroundings};
 
+/// The row along which a force does work, and its amount.
+pub(super) type Push = (Vec<f64>, f64);
+
 impl<'m> Mechanism<'m> {
     pub(super) fn spring_axis(&self, q: &[f64], spring: &Spring) -> Plane {
         match spring.direction {
@@ -119,14 +122,14 @@ impl<'m> Mechanism<'m> {
         table[3][3]
     }
 
-    /// Generalised forces, each as (row, amount): Q = Σ amount·rowᵀ.
+    /// Generalised forces, Q = Σ amount·rowᵀ; then each contact's bristle rate and friction force.
     pub(super) fn forces(
         &self,
         assembly: &Assembly,
         at: &Surroundings,
         q: &[f64],
         v: &[f64],
-    ) -> (Vec<(Vec<f64>, f64)>, Vec<f64>, Vec<f64>) {
+    ) -> (Vec<Push>, Vec<f64>, Vec<f64>) {
         let width = q.len();
         let mut forces = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {

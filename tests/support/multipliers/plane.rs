@@ -44,11 +44,23 @@ pub(super) fn rank(rows: &[Vec<f64>]) -> usize {
 
 /// Solves a linear system and improves the solution twice by its residual.
 pub(super) fn refined(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    let factors = matrix.clone().full_piv_lu();
+    let factors = matrix.clone().lu();
     let mut solution = factors.solve(right)?;
     for _ in 0..2 {
         let residual = right - matrix * &solution;
         solution += factors.solve(&residual)?;
     }
     Some(solution)
+}
+
+/// Condition number in the norm of the largest column sum; infinite for a singular matrix.
+pub(super) fn condition(matrix: &DMatrix<f64>) -> f64 {
+    let norm = |matrix: &DMatrix<f64>| {
+        let sums = matrix.column_iter().map(|column| column.lp_norm(1));
+        sums.fold(0.0, f64::max)
+    };
+    match matrix.clone().lu().try_inverse() {
+        Some(inverse) => norm(matrix) * norm(&inverse),
+        None => f64::INFINITY,
+    }
 }
