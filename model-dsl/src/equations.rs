@@ -75,7 +75,7 @@ pub enum Definition {
         meaning: String,
     },
     /// The solution of equations.
-    Solve(Solve),
+    Solve(Box<Solve>),
 }
 
 /// Unknowns that make residuals zero: found by Newton's method from a guess.

@@ -76,6 +76,9 @@ impl fmt::Display for NewtonFailure {
 
 impl std::error::Error for NewtonFailure {}
 
+/// Residuals and their Jacobian at given unknowns.
+pub type Evaluate<'e> = dyn FnMut(&[f64], &mut [f64], &mut [f64]) + 'e;
+
 /// Finds the zero of as many residuals as unknowns, from `guess`, which becomes the solution (or,
 /// on failure, the nearest approach).
 ///
@@ -94,7 +97,7 @@ impl std::error::Error for NewtonFailure {}
 pub fn solve(
     guess: &mut [f64],
     scales: &[f64],
-    evaluate: &mut dyn FnMut(&[f64], &mut [f64], &mut [f64]),
+    evaluate: &mut Evaluate<'_>,
 ) -> Result<NewtonReport, NewtonFailure> {
     let n = guess.len();
     assert_eq!(scales.len(), n, "as many scales as unknowns");
@@ -155,7 +158,7 @@ impl Point {
 
 struct Search<'e> {
     scales: Vec<f64>,
-    evaluate: &'e mut dyn FnMut(&[f64], &mut [f64], &mut [f64]),
+    evaluate: &'e mut Evaluate<'e>,
     here: Point,
     trial: Point,
     iterations: usize,

@@ -88,14 +88,14 @@ impl Derivation<'_> {
     fn kinetic_products(&mut self) -> Vec<Product> {
         let mut products: Vec<Product> = Vec::new();
         for body in 0..self.model.bodies.len() {
-            for (index, mass) in self.model.bodies[body].masses.clone().iter().enumerate() {
+            for mass in &self.model.bodies[body].masses.clone() {
                 let place = self.place(body, mass.center);
                 let velocity = self.velocity(&place);
-                if index == 0 || !self.g.is_zero(mass.inertia) {
-                    if let Some(link) = self.structure.turning_link(self.model, body) {
-                        let one = self.g.one();
-                        add(&mut products, link, link, one, mass.inertia);
-                    }
+                if !self.g.is_zero(mass.inertia)
+                    && let Some(link) = self.turned_link(body)
+                {
+                    let one = self.g.one();
+                    add(&mut products, link, link, one, mass.inertia);
                 }
                 for (i, a) in velocity.iter().enumerate() {
                     for (j, b) in velocity.iter().enumerate().skip(i) {

@@ -185,7 +185,7 @@ impl Derivation<'_> {
         let entry = inertia.matrix[index][index];
         let mut lines = Vec::new();
         let plain = self.g.as_symbol(entry).is_some()
-            || (self.is_of_params(entry) && self.suffix(index) != "");
+            || (self.is_of_params(entry) && !self.suffix(index).is_empty());
         let (inertia_value, inertia_text) = if plain {
             (entry, (self.g.text(entry), self.g.latex(entry)))
         } else {

@@ -164,7 +164,7 @@ impl Derivation<'_> {
             span,
             Vec::new(),
         );
-        self.definitions.push(Definition::Solve(Solve {
+        self.definitions.push(Definition::Solve(Box::new(Solve {
             name: "the static equilibrium".to_owned(),
             unknowns: solve.0,
             guesses: solve.1,
@@ -172,7 +172,7 @@ impl Derivation<'_> {
             residuals: solve.2,
             scales: solve.3,
             failure,
-        }));
+        })));
     }
 
     /// A coordinate without stiffness cannot hold a constant force.

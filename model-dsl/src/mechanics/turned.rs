@@ -77,13 +77,24 @@ fn wave_difference(g: &mut Graph, coefficient: Expr, now: Expr, then: Expr, quar
 }
 
 impl Derivation<'_> {
-    /// A vector given in a body's frame, as turned vectors.
-    pub(crate) fn vector_in(&mut self, body: BodyId, local: Local) -> Vec<Turned> {
+    /// The link with whose angle a body turns, and by how many quarter turns it is ahead: links
+    /// that turn with others are told by those.
+    fn turning(&self, body: BodyId) -> (Option<BodyId>, u8) {
         let own = self.structure.turning_link(self.model, body);
-        let (link, turn) = match own.and_then(|link| self.aliases[link]) {
+        match own.and_then(|link| self.aliases[link]) {
             Some(alias) => (alias.link, alias.quarter),
             None => (own, 0),
-        };
+        }
+    }
+
+    /// The link with whose angle a body turns.
+    pub(crate) fn turned_link(&self, body: BodyId) -> Option<BodyId> {
+        self.turning(body).0
+    }
+
+    /// A vector given in a body's frame, as turned vectors.
+    pub(crate) fn vector_in(&mut self, body: BodyId, local: Local) -> Vec<Turned> {
+        let (link, turn) = self.turning(body);
         let turned = |magnitude, offset, quarter| Turned {
             magnitude,
             slide: None,

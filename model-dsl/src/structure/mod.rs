@@ -188,14 +188,14 @@ impl Structure {
 
     /// The bodies of a loop in order from ground to ground, without ground.
     pub fn way_bodies(&self, _model: &Model, way: &Way) -> Vec<BodyId> {
-        let mut bodies = self.from_ground(way.start.0);
+        let mut bodies = self.way_out(way.start.0);
         for leg in &way.legs {
             match *leg {
                 Leg::Across { body, .. } => bodies.push(body),
                 Leg::Along { slide, .. } => bodies.push(slide),
             }
         }
-        let mut back = self.from_ground(way.end.0);
+        let mut back = self.way_out(way.end.0);
         // What both ends have in common does not take part.
         let common = bodies.iter().zip(&back).take_while(|(a, b)| a == b).count();
         bodies.drain(..common);
@@ -207,7 +207,7 @@ impl Structure {
     }
 
     /// The bodies from ground to `body`, without ground.
-    fn from_ground(&self, body: BodyId) -> Vec<BodyId> {
+    fn way_out(&self, body: BodyId) -> Vec<BodyId> {
         let mut way = Vec::new();
         let mut at = body;
         while at != GROUND {

@@ -24,6 +24,15 @@ pub(super) struct Search<'m> {
     pub(super) steps: Vec<Step>,
 }
 
+/// A body that can be placed.
+struct Placement {
+    body: BodyId,
+    attachment: Attachment,
+    depth: usize,
+    /// The pin and the two members that it ties.
+    tie: Option<(usize, usize, usize)>,
+}
+
 /// Where a way stands while it is searched: at the end of its legs, on a body, at a point.
 #[derive(Clone)]
 struct Front {
@@ -93,7 +102,16 @@ impl<'m> Search<'m> {
 
     /// Places every body that hangs on a placed one by a known variable, the nearest first.
     fn place_all(&mut self) {
-        while let Some((body, attachment, depth)) = self.next_placement() {
+        while let Some(placement) = self.next_placement() {
+            let Placement {
+                body,
+                attachment,
+                depth,
+                tie,
+            } = placement;
+            if let Some((pin, a, b)) = tie {
+                self.tie(pin, a, b);
+            }
             self.placed[body] = Some(attachment);
             self.depth[body] = depth;
             match attachment {
@@ -104,13 +122,8 @@ impl<'m> Search<'m> {
         }
     }
 
-    fn next_placement(&mut self) -> Option<(BodyId, Attachment, usize)> {
-        let mut best: Option<(usize, BodyId, Attachment, Option<(usize, usize, usize)>)> = None;
-        let mut offer = |depth: usize, body, attachment, tie| {
-            if best.as_ref().is_none_or(|(known, ..)| depth < *known) {
-                best = Some((depth, body, attachment, tie));
-            }
-        };
+    fn next_placement(&self) -> Option<Placement> {
+        let mut offers = Vec::new();
         for (index, pin) in self.model.pins.iter().enumerate() {
             for (a, (parent, there)) in pin.members.iter().enumerate() {
                 if self.placed[*parent].is_none() {
@@ -126,17 +139,16 @@ impl<'m> Search<'m> {
                     {
                         continue;
                     }
-                    let attachment = Attachment::Pinned {
-                        parent: *parent,
-                        there: *there,
-                        here: *here,
-                    };
-                    offer(
-                        self.depth[*parent] + 1,
-                        *body,
-                        attachment,
-                        Some((index, a, b)),
-                    );
+                    offers.push(Placement {
+                        body: *body,
+                        attachment: Attachment::Pinned {
+                            parent: *parent,
+                            there: *there,
+                            here: *here,
+                        },
+                        depth: self.depth[*parent] + 1,
+                        tie: Some((index, a, b)),
+                    });
                 }
             }
         }
@@ -144,32 +156,28 @@ impl<'m> Search<'m> {
             let BodyKind::Slide(slide) = &body.kind else {
                 continue;
             };
-            let (on, there) = (
-                self.placed[slide.carrier].is_some(),
-                self.placed[id].is_some(),
-            );
+            let carrier = slide.carrier;
+            let (on, there) = (self.placed[carrier].is_some(), self.placed[id].is_some());
             if !self.known[id] {
                 continue;
             }
             if on && !there {
-                let attachment = Attachment::Guided {
-                    carrier: slide.carrier,
-                };
-                offer(self.depth[slide.carrier] + 1, id, attachment, None);
-            } else if there && !on && self.angle_known(slide.carrier) {
-                offer(
-                    self.depth[id] + 1,
-                    slide.carrier,
-                    Attachment::Carried { slide: id },
-                    None,
-                );
+                offers.push(Placement {
+                    body: id,
+                    attachment: Attachment::Guided { carrier },
+                    depth: self.depth[carrier] + 1,
+                    tie: None,
+                });
+            } else if there && !on && self.angle_known(carrier) {
+                offers.push(Placement {
+                    body: carrier,
+                    attachment: Attachment::Carried { slide: id },
+                    depth: self.depth[id] + 1,
+                    tie: None,
+                });
             }
         }
-        let (depth, body, attachment, tie) = best?;
-        if let Some((pin, a, b)) = tie {
-            self.tie(pin, a, b);
-        }
-        Some((body, attachment, depth))
+        offers.into_iter().min_by_key(|offer| offer.depth)
     }
 
     fn angle_known(&self, body: BodyId) -> bool {
@@ -276,10 +284,11 @@ impl<'m> Search<'m> {
                 if let Some(next) = self.across(front, slide.origin, limit) {
                     found.extend(self.along(&next, id, true, limit));
                 }
-            } else if id == front.body && !front.visited.contains(&slide.carrier) {
-                if let Some(next) = self.across(front, Local::Origin, limit) {
-                    found.extend(self.along(&next, id, false, limit));
-                }
+            } else if id == front.body
+                && !front.visited.contains(&slide.carrier)
+                && let Some(next) = self.across(front, Local::Origin, limit)
+            {
+                found.extend(self.along(&next, id, false, limit));
             }
         }
         found

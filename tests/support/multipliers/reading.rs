@@ -156,6 +156,7 @@ pub(super) fn evaluator<'m>(model: &'m Model, params: &[f64]) -> Evaluator<'m> {
 
 pub(super) fn local(at: &Local, number: &mut dyn FnMut(Expr) -> f64) -> Plane {
     match *at {
+        Local::Origin => [0.0, 0.0],
         Local::Cartesian(x, y) => [number(x), number(y)],
         Local::Polar(radius, angle) => turned(number(angle), [number(radius), 0.0]),
     }

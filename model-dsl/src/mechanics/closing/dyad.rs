@@ -394,7 +394,7 @@ impl Derivation<'_> {
                         sin,
                     });
                     let assembled = [cos, sin].map(|part| self.g.substitute(part, &map));
-                    self.turning(unknown, [cos, sin], assembled);
+                    self.count_turns(unknown, [cos, sin], assembled);
                 }
                 None => {
                     let [now, then] = [unknown.symbol, unknown.assembled].map(|s| self.g.of(s));
@@ -457,7 +457,7 @@ impl Derivation<'_> {
     }
 
     /// An angle counted from the assembled one, continuous over many turns.
-    fn turning(&mut self, unknown: &Dependent, [cos, sin]: [Expr; 2], [cos0, sin0]: [Expr; 2]) {
+    fn count_turns(&mut self, unknown: &Dependent, [cos, sin]: [Expr; 2], [cos0, sin0]: [Expr; 2]) {
         let name = self.model.bodies[unknown.body].name.clone();
         let angle = self.g.atan2(sin0, cos0);
         let angle = match self.guess(unknown.body).value {

@@ -70,7 +70,7 @@ impl Derivation<'_> {
                 Vec::new(),
             );
             let scales = vec![one; unknowns.len()];
-            self.definitions.push(Definition::Solve(Solve {
+            self.definitions.push(Definition::Solve(Box::new(Solve {
                 name: "the assembled configuration".to_owned(),
                 unknowns,
                 guesses,
@@ -78,7 +78,7 @@ impl Derivation<'_> {
                 residuals,
                 scales,
                 failure,
-            }));
+            })));
         }
         for (residual, guess, body, assembled, target) in remaining {
             let tolerance = self.g.ratio(1, 1_000_000_000);

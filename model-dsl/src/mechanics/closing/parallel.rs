@@ -73,7 +73,7 @@ impl Derivation<'_> {
 
     /// How a link has to turn so that its vector is the opposite of another.
     fn opposes(&mut self, unknown: &Turned, known: &Turned) -> Option<Alias> {
-        if unknown.offset != known.offset || (unknown.quarter + known.quarter) % 2 != 0 {
+        if unknown.offset != known.offset || !(unknown.quarter + known.quarter).is_multiple_of(2) {
             return None;
         }
         let turned = (known.quarter + 4 - unknown.quarter) % 4;

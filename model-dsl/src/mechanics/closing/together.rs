@@ -133,7 +133,7 @@ impl Derivation<'_> {
         );
         let scales = vec![size; residuals.len()];
         self.definitions
-            .push(crate::equations::Definition::Solve(Solve {
+            .push(crate::equations::Definition::Solve(Box::new(Solve {
                 name: format!("the loops {name}"),
                 unknowns: unknowns.iter().map(|unknown| unknown.assembled).collect(),
                 guesses,
@@ -141,7 +141,7 @@ impl Derivation<'_> {
                 residuals,
                 scales,
                 failure,
-            }));
+            })));
     }
 
     fn jacobian(&mut self, residuals: &[Expr], unknowns: &[Symbol]) -> Vec<Vec<Expr>> {
