@@ -152,7 +152,7 @@ pub fn slider_crank() -> Equations {
         }],
         definitions: vec![
             value(inertia, inertia_value, "inertia"),
-            Definition::Solve(Solve {
+            Definition::Solve(Box::new(Solve {
                 name: "the relaxed angle".to_owned(),
                 unknowns: vec![relaxed],
                 guesses: vec![beta],
@@ -168,7 +168,7 @@ pub fn slider_crank() -> Equations {
                         unit: ShownUnit::Degree,
                     }],
                 },
-            }),
+            })),
             value(phi_2, unwrapped, "angle of the rod"),
         ],
         partials: vec![Partial {
