@@ -47,5 +47,5 @@ spring stack between ground and P1 along (1, 0) { stiffness = ka, damping = ca, 
 point M on platform at (width/2, 0 mm)
 output drive    = extension              "extension of the stack alone"
 output position = platform.M.x - width/2 "travel of the platform"
-output speed    = platform.M.vx
+output speed    = platform.M.vx          "velocity of the platform"
 output force    = stack.force            "force of the stack"

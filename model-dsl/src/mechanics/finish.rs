@@ -3,7 +3,7 @@
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use crate::equations::{Discrete, Equations, Event, Kink, Line, Output, Shown, ShownUnit};
+use crate::equations::{Discrete, Equations, Event, Kink, Line, Shown, ShownUnit};
 use crate::model::{BodyKind, EnergyKind, Measure};
 use crate::symbolic::Expr;
 
@@ -143,17 +143,7 @@ impl Derivation<'_> {
         self.start(&laws, &mut motion);
         self.inertia_checks(inertia);
         self.stops();
-        let outputs: Vec<Output> = self
-            .model
-            .outputs
-            .iter()
-            .map(|output| Output {
-                name: output.name.clone(),
-                unit: output.dimension.si_unit(),
-                meaning: output.doc.clone(),
-                value: output.value,
-            })
-            .collect();
+        let outputs = self.outputs();
         self.warn_of_unbooked_jumps();
         let summary = self.summary(inertia);
         let drawing = self.drawing();
@@ -169,13 +159,16 @@ impl Derivation<'_> {
                     .map(|s| format!("`{}`", self.g.symbol_text(*s)))
                     .collect();
                 names.push(names[0].clone());
-                return Err(vec![
-                    Diagnostic::error(format!(
-                        "a quantity depends on itself: {}",
-                        names.join(" ← ")
-                    ))
-                    .hint("let forces and drives use time, positions, rates and the forces of other elements"),
-                ]);
+                let mut error = Diagnostic::error(format!(
+                    "a quantity depends on itself: {}",
+                    names.join(" ← ")
+                ))
+                .hint("let forces and drives use time, positions, rates and the forces of other elements");
+                let measures = &self.model.measures;
+                if let Some(used) = measures.iter().find(|used| cycle.contains(&used.symbol)) {
+                    error = error.at(self.model.source.site(used.span));
+                }
+                return Err(vec![error]);
             }
         };
         Ok(Equations {

@@ -23,6 +23,7 @@ mod measures;
 mod motion;
 mod names;
 mod order;
+mod outputs;
 mod picture;
 mod start;
 mod summary;

@@ -1,7 +1,7 @@
 //! Summary: what `check` tells about a mechanism.
 
 use crate::equations::{Fact, ShownUnit};
-use crate::model::BodyKind;
+use crate::model::{BodyKind, Guess};
 
 use super::Derivation;
 use super::inertia::Inertia;
@@ -54,7 +54,13 @@ impl Derivation<'_> {
             format!("{}: {}", pins.len(), list(pins)),
             Vec::new(),
         );
-        let loops: Vec<String> = self.loops.iter().map(|l| l.name.clone()).collect();
+        let loops: Vec<String> = self
+            .structure
+            .steps
+            .iter()
+            .flat_map(|step| step.ways())
+            .map(|way| self.way_name(way))
+            .collect();
         fact(
             "loops",
             format!("{}: {}", loops.len(), list(loops)),
@@ -77,16 +83,9 @@ impl Derivation<'_> {
             };
             let start = self.variable(coordinate.body).assembled;
             let (measure, unit, held) = match &body.kind {
-                BodyKind::Link(link) => (
-                    "angle",
-                    ShownUnit::Degree,
-                    if link.angle.exact {
-                        "exact"
-                    } else {
-                        "held as guessed"
-                    },
-                ),
-                BodyKind::Slide(_) | BodyKind::Ground => ("x", ShownUnit::Metre, "assembled"),
+                BodyKind::Link(link) => ("angle", ShownUnit::Degree, held(link.angle)),
+                BodyKind::Slide(slide) => ("x", ShownUnit::Metre, held(slide.at)),
+                BodyKind::Ground => ("x", ShownUnit::Metre, "assembled"),
             };
             fact(
                 "coordinate",
@@ -169,5 +168,14 @@ impl Derivation<'_> {
             .filter(|b| wanted(&b.kind))
             .map(|b| b.name.clone())
             .collect()
+    }
+}
+
+/// Where a coordinate is as assembled: nothing but its own value says it.
+fn held(guess: Guess) -> &'static str {
+    match (guess.value, guess.exact) {
+        (Some(_), true) => "exact",
+        (Some(_), false) => "not exact, so held as guessed",
+        (None, _) => "assembled",
     }
 }

@@ -200,12 +200,18 @@ impl Resolver<'_> {
         };
         let zero = crate::symbolic::Rational::from_integer(0.into());
         let one = crate::symbolic::Rational::from_integer(1.into());
-        let wrong = match parameter {
-            "frequency" | "duration" if number <= zero => "must be positive",
-            "from" | "to" | "start" if number < zero => "cannot be negative",
-            "rise" | "hold" | "fall" if number < zero || number > one => {
-                "is a share of the period, between 0 and 1"
+        let (wrong, hint) = match parameter {
+            "frequency" | "duration" if number <= zero => (
+                "must be positive",
+                "write a value above zero, or `constant(…)` for a drive that stands still",
+            ),
+            "from" | "to" | "start" if number < zero => {
+                ("cannot be negative", "write zero or a value above it")
             }
+            "rise" | "hold" | "fall" if number < zero || number > one => (
+                "is a share of the period, between 0 and 1",
+                "divide the time that it takes by the period, as in `rise = 0.95`",
+            ),
             _ => return Ok(()),
         };
         let argument = call.arguments.iter().find(|argument| {
@@ -216,7 +222,7 @@ impl Resolver<'_> {
         });
         let span = argument.map_or(call.name.span, |argument| argument.value.span);
         let message = format!("`{parameter}` of `{}` {wrong}", call.name.text);
-        Err(self.error(span, message, "check the value"))
+        Err(self.error(span, message, hint))
     }
 
     /// A table of samples in a file: two columns, time and value, times the units that were given.

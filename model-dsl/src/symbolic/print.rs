@@ -219,37 +219,40 @@ impl<'g> Printer<'g> {
 
     // ── Sums ───────────────────────────────────────────────────────────────────────────────────
 
+    fn terms(&mut self, expr: Expr) -> Vec<Term> {
+        self.signed_terms(expr, false)
+    }
+
     /// The terms of a sum with all signs changed.
     fn opposite_terms(&mut self, expr: Expr) -> Vec<Term> {
-        let mut terms = self.terms(expr);
-        for term in &mut terms {
-            term.negative = !term.negative;
-        }
+        self.signed_terms(expr, true)
+    }
+
+    /// The terms of a sum, the first positive one in front. Whether a term needs parentheses
+    /// depends on its sign, so signs are changed before texts are made of the terms.
+    fn signed_terms(&mut self, expr: Expr, opposite: bool) -> Vec<Term> {
+        let parts = self.parts(expr);
+        let mut terms: Vec<Term> = parts
+            .into_iter()
+            .map(|(negative, written)| self.term(negative != opposite, written))
+            .collect();
         lead_with_positive(&mut terms);
         terms
     }
 
-    fn terms(&mut self, expr: Expr) -> Vec<Term> {
+    /// The parts of a sum, each with whether a minus sign stands before it.
+    fn parts(&mut self, expr: Expr) -> Vec<(bool, Written)> {
         let Node::Sum { constant, terms } = self.graph.node(expr) else {
             return match self.graph.node(expr) {
                 Node::Product {
                     coefficient,
                     factors,
-                } => {
-                    let (negative, written) = self.product(coefficient, factors);
-                    vec![self.term(negative, written)]
-                }
+                } => vec![self.product(coefficient, factors)],
                 Node::Number(_)
                 | Node::Pi
                 | Node::Symbol(_)
                 | Node::Function(..)
-                | Node::Sum { .. } => {
-                    let written = self.expr(expr);
-                    vec![Term {
-                        negative: false,
-                        text: written.text,
-                    }]
-                }
+                | Node::Sum { .. } => vec![(false, self.expr(expr))],
             };
         };
         let mut written = Vec::with_capacity(terms.len().min(LIMIT));
@@ -257,25 +260,18 @@ impl<'g> Printer<'g> {
             if self.left == 0 {
                 break;
             }
-            written.extend(self.terms_of(*term, coefficient));
+            written.extend(self.parts_of(*term, coefficient));
         }
         if self.left == 0 {
-            written.push(Term {
-                negative: false,
-                text: self.ellipsis().text,
-            });
+            written.push((false, self.ellipsis()));
         } else if !constant.is_zero() {
             let Fraction {
                 negative,
                 written: number,
             } = number::write(constant, self.style);
             self.count(&number.text);
-            written.push(Term {
-                negative,
-                text: number.text,
-            });
+            written.push((negative, Written::new(number.text, number.level)));
         }
-        lead_with_positive(&mut written);
         written
     }
 
@@ -297,7 +293,7 @@ impl<'g> Printer<'g> {
         order
     }
 
-    fn terms_of(&mut self, term: Expr, coefficient: &Rational) -> Vec<Term> {
+    fn parts_of(&mut self, term: Expr, coefficient: &Rational) -> Vec<(bool, Written)> {
         if coefficient.abs().is_one()
             && let Node::Function(
                 function @ (Function::CosDifference | Function::SinDifference),
@@ -308,19 +304,10 @@ impl<'g> Printer<'g> {
             if coefficient.is_negative() {
                 pair.reverse();
             }
-            let [first, second] = pair;
-            return vec![
-                Term {
-                    negative: false,
-                    text: first,
-                },
-                Term {
-                    negative: true,
-                    text: second,
-                },
-            ];
+            let [first, second] = pair.map(|text| Written::new(text, Level::Product));
+            return vec![(false, first), (true, second)];
         }
-        let (negative, written) = match self.graph.node(term) {
+        let part = match self.graph.node(term) {
             Node::Product {
                 coefficient: inner,
                 factors,
@@ -334,7 +321,7 @@ impl<'g> Printer<'g> {
             | Node::Sum { .. }
             | Node::Function(..) => self.product(coefficient, &[(term, Rational::one())]),
         };
-        vec![self.term(negative, written)]
+        vec![part]
     }
 
     fn term(&self, negative: bool, written: Written) -> Term {

@@ -31,9 +31,12 @@ impl Derivation<'_> {
             ));
         }
         Line::Written {
-            text: format!("{}, continuous over many turns", text.join(", ")),
+            text: format!(
+                "{}, continuous over many turns; ⁰: as assembled",
+                text.join(", ")
+            ),
             latex: format!(
-                "{} \\quad\\text{{(continuous over many turns)}}",
+                "{} \\quad\\text{{(continuous over many turns; ${{}}^0$: as assembled)}}",
                 latex.join(",\\quad ")
             ),
         }

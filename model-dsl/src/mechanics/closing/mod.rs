@@ -86,7 +86,7 @@ impl Derivation<'_> {
     }
 
     /// Name of a loop by its bodies.
-    fn way_name(&self, way: &Way) -> String {
+    pub(super) fn way_name(&self, way: &Way) -> String {
         let bodies = self.structure.way_bodies(self.model, way);
         crate::structure::loop_names(self.model, &bodies)
     }

@@ -171,6 +171,32 @@ fn numbers() {
     insta::assert_snapshot!(w.listing);
 }
 
+/// A sum that is written as its negative keeps the value: what is written as a sum itself gets
+/// parentheses where a minus sign stands before it, and only there.
+#[test]
+fn opposite_sums() {
+    let mut g = Graph::new();
+    let [k, a, b] = ["k", "a", "b"].map(|name| {
+        let symbol = g.symbol(name, name);
+        g.of(symbol)
+    });
+    let [x, y] = ["x - x⁰", "y - y⁰"].map(|text| {
+        let symbol = g.symbol_written_as_sum(text, text);
+        g.of(symbol)
+    });
+    let minus_k = g.neg(k);
+    for (less, more, expected) in [
+        (x, y, "k (y - y⁰ - (x - x⁰))"),
+        (y, x, "k (x - x⁰ - (y - y⁰))"),
+        (a, y, "k (y - y⁰ - a)"),
+        (y, b, "k (b - (y - y⁰))"),
+    ] {
+        let difference = g.sub(less, more);
+        let written = g.mul(minus_k, difference);
+        assert_eq!(g.text(written), expected);
+    }
+}
+
 #[test]
 fn sums_and_products() {
     let mut w = Writer::new();
