@@ -223,7 +223,8 @@ mod tests {
     /// Each function's rate against a central difference of its value.
     #[test]
     fn rates_are_slopes() {
-        let functions: [(&str, fn(Dual) -> Dual); 16] = [
+        type Function = fn(Dual) -> Dual;
+        let functions: [(&str, Function); 16] = [
             ("sqrt", Real::sqrt),
             ("sin", Real::sin),
             ("cos", Real::cos),

@@ -11,7 +11,7 @@
 //! reaches the coordinates by virtual work (force times ∂measure/∂q). Conservative laws within one
 //! block of coordinates enter its equation through ∂P/∂q, all others through τ.
 //!
-//! Angles of a loop stay symbols with two attached facts: how to get the value ([`closing`]) and
+//! Angles of a loop stay symbols with two attached facts: how to get the value (`closing`) and
 //! the rate by each coordinate. Total derivatives use the rates and never differentiate a loop's
 //! closed form.
 

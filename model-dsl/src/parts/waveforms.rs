@@ -1,8 +1,8 @@
 //! Waveforms of drives: functions of time in smooth pieces that end at exactly known times.
 //!
 //! Which piece holds is remembered, not computed from time, so that a step that ends at a kink
-//! sees one piece alone. Two builders carry all of them: [`periodic`] for pieces that repeat and
-//! [`once`] for pieces that do not.
+//! sees one piece alone. Two builders carry all of them: `periodic` for pieces that repeat and
+//! `once` for pieces that do not.
 //!
 //! Arguments are expressions of params. What must hold of them (a frequency above zero, fractions
 //! within a period) is handed on as the waveform's conditions. A quantity is in the unit of the

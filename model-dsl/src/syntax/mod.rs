@@ -4,7 +4,7 @@
 //! text ──split──▶ items (comments blanked, line ends sorted out) ──parse (pest)──▶ tree
 //! ```
 //!
-//! [`split`](split::split) cuts the file where an item starts a line, so that a mistake in one item
+//! `split` cuts the file where an item starts a line, so that a mistake in one item
 //! leaves the others readable; it also refuses what is nested too deeply before the parser, which
 //! recurses, sees it. The grammar then reads one item at a time.
 
