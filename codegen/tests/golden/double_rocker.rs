@@ -4,6 +4,10 @@
 /// A piezo stack pushes a four-bar of flexure hinges at \`A\`. The coupler's tip \`C\` presses on a
 /// slider and carries it along by friction: slowly forward, sticking; quickly back, slipping.
 /// Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen \& Nguyen, Machines 2025, 13, 787.
+/// Beside the equations of the latter: its third bar points from \`D\` to \`O2\`, the rocker here from
+/// \`O2\` to \`D\`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by virtual
+/// work, so both terms with \`ln\` have the factor ω2 that its equation (24) lacks. Its equation (12)
+/// puts the third bar's centre of mass beyond \`O2\`; here it is on the bar.
 #[allow(
     non_snake_case,
     non_upper_case_globals,
@@ -1825,7 +1829,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 24,
+                line: 29,
                 column: 6,
                 width: 5,
                 excerpt: Cow::Borrowed("link crank from O1 to B {"),
@@ -1837,7 +1841,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 27,
+                line: 32,
                 column: 3,
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m1"),
@@ -1849,7 +1853,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 27,
+                line: 32,
                 column: 3,
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m1"),
@@ -1861,7 +1865,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 32,
+                line: 37,
                 column: 6,
                 width: 7,
                 excerpt: Cow::Borrowed("link coupler from B to D {"),
@@ -1873,7 +1877,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 35,
+                line: 40,
                 column: 3,
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m2"),
@@ -1885,7 +1889,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 35,
+                line: 40,
                 column: 3,
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m2"),
@@ -1897,7 +1901,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 40,
+                line: 45,
                 column: 6,
                 width: 6,
                 excerpt: Cow::Borrowed("link rocker from O2 to D {"),
@@ -1909,7 +1913,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 43,
+                line: 48,
                 column: 3,
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m3"),
@@ -1921,7 +1925,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 43,
+                line: 48,
                 column: 3,
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m3"),
@@ -1933,7 +1937,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 72,
+                line: 77,
                 column: 32,
                 width: 4,
                 excerpt: Cow::Borrowed("slide  stack   along (-1, 0) { mass = mp }"),
@@ -1945,7 +1949,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 90,
+                line: 95,
                 column: 29,
                 width: 4,
                 excerpt: Cow::Borrowed("slide stage along (-1, 0) { mass = ms }"),
@@ -1963,7 +1967,7 @@ pub mod double_rocker {
             ),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 32,
+                line: 37,
                 column: 6,
                 width: 7,
                 excerpt: Cow::Borrowed("link coupler from B to D {"),
@@ -1981,7 +1985,7 @@ pub mod double_rocker {
             ),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 32,
+                line: 37,
                 column: 6,
                 width: 7,
                 excerpt: Cow::Borrowed("link coupler from B to D {"),
@@ -1993,7 +1997,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 70,
+                line: 75,
                 column: 7,
                 width: 2,
                 excerpt: Cow::Borrowed(
@@ -2007,7 +2011,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it is a fraction of the period, from 0 to 1")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 70,
+                line: 75,
                 column: 7,
                 width: 2,
                 excerpt: Cow::Borrowed(
@@ -2021,7 +2025,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it is a fraction of the period, from 0 to 1")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 70,
+                line: 75,
                 column: 7,
                 width: 2,
                 excerpt: Cow::Borrowed(
@@ -2035,7 +2039,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2047,7 +2051,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2059,7 +2063,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must not be below zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2071,7 +2075,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2083,7 +2087,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2095,7 +2099,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2107,7 +2111,7 @@ pub mod double_rocker {
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 92,
+                line: 97,
                 column: 9,
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
@@ -2123,7 +2127,7 @@ pub mod double_rocker {
             ),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 24,
+                line: 29,
                 column: 6,
                 width: 5,
                 excerpt: Cow::Borrowed("link crank from O1 to B {"),
@@ -2139,7 +2143,7 @@ pub mod double_rocker {
             ),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 72,
+                line: 77,
                 column: 8,
                 width: 5,
                 excerpt: Cow::Borrowed("slide  stack   along (-1, 0) { mass = mp }"),
@@ -2155,7 +2159,7 @@ pub mod double_rocker {
             ),
             site: Some(Site {
                 file: Cow::Borrowed("double_rocker.flex"),
-                line: 90,
+                line: 95,
                 column: 7,
                 width: 5,
                 excerpt: Cow::Borrowed("slide stage along (-1, 0) { mass = ms }"),
@@ -2174,6 +2178,11 @@ slider and carries it along by friction: slowly forward, sticking; quickly back,
 
 Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen & Nguyen, Machines 2025, 13, 787.
 
+Beside the equations of the latter: its third bar points from `D` to `O2`, the rocker here from
+`O2` to `D`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by virtual
+work, so both terms with `ln` have the factor ω2 that its equation (24) lacks. Its equation (12)
+puts the third bar's centre of mass beyond `O2`; here it is on the bar.
+
 Loop crank–coupler–rocker
 ─────────────────────────
 
@@ -2189,7 +2198,7 @@ Loop crank–coupler–rocker
   c3 = -(X - X κ + Y η) / l3
   s3 = (Y κ - Y + X η) / l3
 
-  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns
+  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
 
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
@@ -2268,7 +2277,7 @@ Constants
   r3  = ½ l3                 distance of the centre of mass from the first end of rocker
   I3  = 1/12 m3 (h² + l3²)   moment of inertia about the centre of mass of rocker
   φ1⁰ = 4/9 π                angle of `crank` as assembled
-  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
+  s   = (if X⁰/l3 > Y⁰/l2 then 1 else -1)
         which way the loop closes: as drawn
   X⁰  = l4 - l1 cos(φ1⁰)
   Y⁰  = -l1 sin(φ1⁰)
@@ -2291,6 +2300,11 @@ slider and carries it along by friction: slowly forward, sticking; quickly back,
 
 Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen \& Nguyen, Machines 2025, 13, 787.
 
+Beside the equations of the latter: its third bar points from \texttt{D} to \texttt{O2}, the rocker here from
+\texttt{O2} to \texttt{D}, so its angle \ensuremath{\varphi}3 is 180° more; \ensuremath{\omega}3 is the same. The contact's torque is by virtual
+work, so both terms with \texttt{ln} have the factor \ensuremath{\omega}2 that its equation (24) lacks. Its equation (12)
+puts the third bar's centre of mass beyond \texttt{O2}; here it is on the bar.
+
 \subsection*{Loop crank–coupler–rocker}
 \begin{align*}
 & l_{1}\, e^{i \varphi_{1}} + l_{2}\, e^{i \varphi_{2}} - l_{3}\, e^{i \varphi_{3}} - l_{4} = 0 \\
@@ -2303,7 +2317,7 @@ D &= X^{2} + Y^{2} \\
 \sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
-& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
+& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\

@@ -1042,7 +1042,7 @@ pub mod four_bar {
         },
         Variable {
             name: Cow::Borrowed("rate"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed("rate of the crank"),
             causality: Causality::Output,
             start: None,
@@ -1056,7 +1056,7 @@ pub mod four_bar {
         },
         Variable {
             name: Cow::Borrowed("energy_total"),
-            unit: Cow::Borrowed("N*m"),
+            unit: Cow::Borrowed("J"),
             meaning: Cow::Borrowed("kinetic and potential energy: constant"),
             causality: Causality::Output,
             start: None,
@@ -1279,7 +1279,7 @@ Loop crank–coupler–rocker
   c3 = -(X - X κ + Y η) / l3
   s3 = (Y κ - Y + X η) / l3
 
-  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns
+  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
 
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
@@ -1320,7 +1320,7 @@ Constants
   r3  = ½ l3          distance of the centre of mass from the first end of rocker
   I3  = 1/12 m3 l3²   moment of inertia about the centre of mass of rocker
   φ1⁰ = 4/9 π         angle of `crank` as assembled
-  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
+  s   = (if X⁰/l3 > Y⁰/l2 then 1 else -1)
         which way the loop closes: as drawn
   X⁰  = l4 - l1 cos(φ1⁰)
   Y⁰  = -l1 sin(φ1⁰)
@@ -1354,7 +1354,7 @@ D &= X^{2} + Y^{2} \\
 \sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
-& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
+& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\

@@ -2,7 +2,7 @@
 ///
 /// Stick–slip of a mass that is pulled over a rough surface through a soft spring.
 /// The standard example of the LuGre friction law: C. Canudas de Wit, H. Olsson, K. J. Åström,
-/// P. Lischinsky, \*A new model for control of systems with friction\*, IEEE Transactions on
+/// P. Lischinsky, A new model for control of systems with friction, IEEE Transactions on
 /// Automatic Control 40 (1995).
 #[allow(
     non_snake_case,
@@ -765,7 +765,7 @@ pub mod lugre_mass {
 Stick–slip of a mass that is pulled over a rough surface through a soft spring.
 
 The standard example of the LuGre friction law: C. Canudas de Wit, H. Olsson, K. J. Åström,
-P. Lischinsky, *A new model for control of systems with friction*, IEEE Transactions on
+P. Lischinsky, A new model for control of systems with friction, IEEE Transactions on
 Automatic Control 40 (1995).
 
 Drives
@@ -805,7 +805,7 @@ Equation of motion of `block`
 Stick–slip of a mass that is pulled over a rough surface through a soft spring.
 
 The standard example of the LuGre friction law: C. Canudas de Wit, H. Olsson, K. J. Åström,
-P. Lischinsky, *A new model for control of systems with friction*, IEEE Transactions on
+P. Lischinsky, A new model for control of systems with friction, IEEE Transactions on
 Automatic Control 40 (1995).
 
 \subsection*{Drives}

@@ -443,7 +443,7 @@ pub mod pendulum {
         },
         Variable {
             name: Cow::Borrowed("swing"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("angle from hanging straight down"),
             causality: Causality::Output,
             start: None,
