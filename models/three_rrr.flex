@@ -4,8 +4,8 @@
 //! together by Newton's method.
 model three_rrr
 
-param R = 60 mm, s = 24 mm                      "radius of the pivots, side of the platform"
-param l1 = 30 mm, l2 = 40 mm                    "length of a crank, of a connecting link"
+param R = 60 mm, s = 40 mm                      "radius of the pivots, side of the platform"
+param l1 = 34 mm, l2 = 30 mm                    "length of a crank, of a connecting link"
 param m1 = 6 g, m2 = 6 g, mp = 30 g             "masses of a crank, a connecting link, the platform"
 param k = 0.3 N*m/rad                           "stiffness of a hinge"
 param c = 2e-5 N*m*s/rad                        "damping of a hinge"
@@ -15,16 +15,16 @@ ground O1 = (R * cos(210 deg), R * sin(210 deg))
 ground O2 = (R * cos(330 deg), R * sin(330 deg))
 ground O3 = (R * cos(90 deg), R * sin(90 deg))
 
-link crank1 from O1 to A1 { length = l1, angle =  90 deg exact, mass = m1, symbol = φ1 }
-link crank2 from O2 to A2 { length = l1, angle = 210 deg exact, mass = m1, symbol = φ2 }
-link crank3 from O3 to A3 { length = l1, angle = 330 deg exact, mass = m1, symbol = φ3 }
+link crank1 from O1 to A1 { length = l1, angle =  80 deg exact, mass = m1, symbol = φ1 }
+link crank2 from O2 to A2 { length = l1, angle = 200 deg exact, mass = m1, symbol = φ2 }
+link crank3 from O3 to A3 { length = l1, angle = 320 deg exact, mass = m1, symbol = φ3 }
 
 link platform from P1 to P2 { length = s, angle = 0 deg, mass = mp, com = (s/2, s * sqrt(3)/6), inertia = mp * s^2 / 12, symbol = θ }
 point P3 on platform at (s/2, s * sqrt(3)/2)
 
-link rod1 from A1 to P1 { length = l2, angle = -10 deg, mass = m2, symbol = ψ1 }
-link rod2 from A2 to P2 { length = l2, angle = 110 deg, mass = m2, symbol = ψ2 }
-link rod3 from A3 to P3 { length = l2, angle = 230 deg, mass = m2, symbol = ψ3 }
+link rod1 from A1 to P1 { length = l2, angle = -30 deg, mass = m2, symbol = ψ1 }
+link rod2 from A2 to P2 { length = l2, angle =  90 deg, mass = m2, symbol = ψ2 }
+link rod3 from A3 to P3 { length = l2, angle = 210 deg, mass = m2, symbol = ψ3 }
 
 hinge at O1 { stiffness = k, damping = c }
 hinge at O2 { stiffness = k, damping = c }
