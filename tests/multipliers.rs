@@ -319,6 +319,53 @@ fn other_mechanisms() {
     }
 }
 
+/// The linkages and stages among this repository's models, with their params scattered: several
+/// loops, several coordinates, slides in loops, parallelograms, and loops that close together.
+#[test]
+fn linkages_and_stages() {
+    let names = [
+        "andrews",
+        "bridge_amplifier",
+        "double_parallelogram_stage",
+        "five_bar",
+        "n_windows_1",
+        "n_windows_2",
+        "parallelogram_stage",
+        "six_bar",
+        "slider_crank",
+        "three_rrr",
+        "xy_stage",
+    ];
+    let mut random = Random::new(31);
+    for name in names {
+        let compiled = shipped(name);
+        let mut tally = Tally::default();
+        let mut unassembled = 0;
+        for _ in 0..SETS_EACH {
+            let mut params = compiled.oracle.defaults();
+            for value in &mut params {
+                *value *= random.scale(0.97, 1.03);
+            }
+            let names = compiled.model.params.iter().map(|p| p.name.as_str());
+            let changes: Vec<(&str, f64)> = names.zip(params.iter().copied()).collect();
+            if compiled.oracle.prepare(&params).is_err() {
+                unassembled += 1;
+                continue;
+            }
+            match compare(&compiled, &changes, &changes, 5, 0.1, random.bits()) {
+                Ok(part) => tally.join(&part),
+                Err(error) => panic!("{name} with {changes:?}: {error}"),
+            }
+        }
+        println!("{name}: {tally:?}, {unassembled} unassembled");
+        assert!(tally.states >= 4 * SETS_EACH, "{name}: {tally:?}");
+        assert!(tally.rejected * 5 <= tally.states, "{name}: {tally:?}");
+    }
+}
+
+/// Parameter sets compared for each linkage.
+const SETS_EACH: usize = 30;
+
 /// Four-bars compared for each layout.
 const LINKAGES_EACH: usize = 60;
 

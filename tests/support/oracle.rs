@@ -178,7 +178,7 @@ impl Prepared<'_> {
             .filter(|(_, state)| state.unit == "rad")
             .map(|((a, b), _)| (a - b).abs())
             .fold(0.0, f64::max);
-        let steps = (largest / 0.2).ceil().max(1.0) as usize;
+        let steps = (largest / 0.05).ceil().max(1.0) as usize;
         for step in 1..=steps {
             let part = step as f64 / steps as f64;
             let between: Vec<f64> = start

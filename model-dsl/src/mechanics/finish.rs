@@ -1,11 +1,13 @@
 //! The ends of the derivation: drives and checks of params at its start, outputs and the whole of
 //! [`Equations`] at its end.
 
+use std::collections::{HashMap, HashSet};
+
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::equations::{Discrete, Equations, Event, Kink, Line, Shown, ShownUnit};
 use crate::model::{BodyKind, EnergyKind, Measure};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 
 use super::inertia::Inertia;
 use super::laws::Laws;
@@ -199,8 +201,8 @@ impl Derivation<'_> {
 
     /// A coordinate needs inertia of its own also for the params at hand.
     fn inertia_checks(&mut self, inertia: &Inertia) {
+        let mut map = self.assembled_map();
         for index in 0..self.coordinates.len() {
-            let mut map = self.assembled_map();
             let entry = self.expand_with(inertia.matrix[index][index], &mut map);
             let body = self.coordinates[index].body;
             let entry = if self.g.as_symbol(entry).is_some() {
@@ -267,37 +269,37 @@ impl Derivation<'_> {
         let mut lines = Vec::new();
         let mut wanted = self.g.symbols_in(&shown);
         let mut at = 0;
-        let mut seen: std::collections::HashSet<_> = wanted.iter().copied().collect();
+        let mut seen: HashSet<_> = wanted.iter().copied().collect();
         let mut rows = Vec::new();
+        let fixed = self.fixed_for_a_run();
         while at < wanted.len() {
             let symbol = wanted[at];
             at += 1;
-            let definition = self
-                .definitions
-                .iter()
-                .find_map(|definition| match definition {
-                    Definition::Value {
-                        symbol: known,
-                        value,
-                        meaning,
-                    } if *known == symbol => Some((*value, meaning.clone())),
-                    _ => None,
-                });
-            let Some((value, meaning)) = definition else {
+            let Some(value) = self.values.get(&symbol).copied() else {
                 continue;
             };
-            if !self.depends_on_params_only(value) {
+            if !fixed.contains(&symbol) {
                 continue;
             }
-            rows.push((symbol, value, meaning));
+            rows.push((symbol, value));
             for inner in self.g.symbols_in(&[value]) {
                 if seen.insert(inner) {
                     wanted.push(inner);
                 }
             }
         }
-        rows.sort_by_key(|(symbol, ..)| *symbol);
-        let titles: Vec<String> = self
+        let meanings: HashMap<Symbol, String> = self
+            .definitions
+            .iter()
+            .filter_map(|definition| match definition {
+                Definition::Value {
+                    symbol, meaning, ..
+                } => Some((*symbol, meaning.clone())),
+                Definition::Solve(_) => None,
+            })
+            .collect();
+        rows.sort_by_key(|(symbol, _)| *symbol);
+        let titles: HashSet<String> = self
             .report
             .iter()
             .flat_map(|section| &section.lines)
@@ -306,49 +308,43 @@ impl Derivation<'_> {
                 Line::Text(_) | Line::Written { .. } => None,
             })
             .collect();
-        for (symbol, value, meaning) in rows {
-            if titles
-                .iter()
-                .any(|title| title == self.g.symbol_text(symbol))
-            {
+        for (symbol, value) in rows {
+            if titles.contains(self.g.symbol_text(symbol)) {
                 continue;
             }
-            self.equation_line(&mut lines, symbol, value, &meaning);
+            let meaning = meanings.get(&symbol).map_or("", String::as_str);
+            self.equation_line(&mut lines, symbol, value, meaning);
         }
         self.section("Constants", lines);
     }
 
-    fn depends_on_params_only(&self, expr: Expr) -> bool {
-        let mut stack = self.g.symbols_in(&[expr]);
-        let mut seen = std::collections::HashSet::new();
-        while let Some(symbol) = stack.pop() {
-            if !seen.insert(symbol) || self.model.params.iter().any(|p| p.symbol == symbol) {
-                continue;
+    /// Symbols with a value that is made of params, of what is solved for when the mechanism is
+    /// assembled, and of other such symbols.
+    fn fixed_for_a_run(&self) -> HashSet<Symbol> {
+        let mut given: HashSet<Symbol> = self.model.params.iter().map(|p| p.symbol).collect();
+        for definition in &self.definitions {
+            if let Definition::Solve(solve) = definition {
+                given.extend(&solve.unknowns);
             }
-            let definition = self
-                .definitions
-                .iter()
-                .find_map(|definition| match definition {
-                    Definition::Value {
-                        symbol: known,
-                        value,
-                        ..
-                    } if *known == symbol => Some(*value),
-                    _ => None,
-                });
-            match definition {
-                Some(value) => stack.extend(self.g.symbols_in(&[value])),
-                None => {
-                    let solved = self.definitions.iter().any(|definition| match definition {
-                        Definition::Solve(solve) => solve.unknowns.contains(&symbol),
-                        Definition::Value { .. } => false,
-                    });
-                    if !solved {
-                        return false;
-                    }
+        }
+        let mut users: HashMap<Symbol, Vec<Symbol>> = HashMap::new();
+        let mut varying = Vec::new();
+        for (&symbol, &value) in &self.values {
+            for inner in self.g.symbols_in(&[value]) {
+                users.entry(inner).or_default().push(symbol);
+                if !given.contains(&inner) && !self.values.contains_key(&inner) {
+                    varying.push(inner);
                 }
             }
         }
-        true
+        let mut fixed: HashSet<Symbol> = self.values.keys().copied().collect();
+        while let Some(symbol) = varying.pop() {
+            for user in users.remove(&symbol).into_iter().flatten() {
+                if fixed.remove(&user) {
+                    varying.push(user);
+                }
+            }
+        }
+        fixed
     }
 }

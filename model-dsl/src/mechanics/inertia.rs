@@ -5,6 +5,8 @@
 //! equal products are collected over all bodies and named C0, C1, …: for a four-bar these are
 //! the article's (5) and (6).
 
+use std::collections::HashMap;
+
 use crate::model::BodyId;
 use crate::symbolic::Expr;
 
@@ -16,6 +18,26 @@ pub(crate) struct Inertia {
     pub matrix: Vec<Vec<Expr>>,
     /// Coordinates that are coupled through inertia, each block in ascending order.
     pub blocks: Vec<Vec<usize>>,
+    /// For each coordinate, the entries of M that change with it, row by row.
+    moved: Vec<Vec<(usize, usize)>>,
+    /// For each entry of M that changes, the coordinates that it changes with.
+    movers: HashMap<(usize, usize), Vec<usize>>,
+}
+
+impl Inertia {
+    /// The pairs j, k for which M_jk changes with coordinate i, or M_ij with coordinate k; row by
+    /// row, each once.
+    pub fn concerning(&self, index: usize) -> Vec<(usize, usize)> {
+        let mut entries = self.moved[index].clone();
+        let own = self.blocks.iter().find(|block| block.contains(&index));
+        for &j in own.into_iter().flatten() {
+            let movers = self.movers.get(&(index, j));
+            entries.extend(movers.into_iter().flatten().map(|&k| (j, k)));
+        }
+        entries.sort_unstable();
+        entries.dedup();
+        entries
+    }
 }
 
 /// `coefficient · rate(first) · rate(second) · shape`, twice the kinetic energy.
@@ -24,6 +46,29 @@ struct Product {
     second: BodyId,
     shape: Expr,
     terms: Vec<Expr>,
+}
+
+/// Products in the order in which they first came up, each once.
+#[derive(Default)]
+struct Products {
+    list: Vec<Product>,
+    position: HashMap<(BodyId, BodyId, Expr), usize>,
+}
+
+impl Products {
+    fn add(&mut self, first: BodyId, second: BodyId, shape: Expr, term: Expr) {
+        let new = self.list.len();
+        let at = *self.position.entry((first, second, shape)).or_insert(new);
+        if at == new {
+            self.list.push(Product {
+                first,
+                second,
+                shape,
+                terms: Vec::new(),
+            });
+        }
+        self.list[at].terms.push(term);
+    }
 }
 
 impl Derivation<'_> {
@@ -56,8 +101,11 @@ impl Derivation<'_> {
                 self.variable(product.first).clone(),
                 self.variable(product.second).clone(),
             );
-            for (i, row) in parts.iter_mut().enumerate() {
-                for (j, entry) in row.iter_mut().enumerate() {
+            let concerned: Vec<usize> = (0..n)
+                .filter(|&i| !self.g.is_zero(first.rates[i]) || !self.g.is_zero(second.rates[i]))
+                .collect();
+            for &i in &concerned {
+                for &j in &concerned {
                     let one = [constant, first.rates[i], second.rates[j], product.shape];
                     let other = [constant, first.rates[j], second.rates[i], product.shape];
                     let (one, other) = (self.g.product(&one), self.g.product(&other));
@@ -70,7 +118,7 @@ impl Derivation<'_> {
                         self.g.mul(half, sum)
                     };
                     if !self.g.is_zero(mean) {
-                        entry.push(mean);
+                        parts[i][j].push(mean);
                     }
                 }
             }
@@ -81,12 +129,32 @@ impl Derivation<'_> {
             .collect();
         self.section("Constants of the inertia", lines);
         let blocks = self.blocks(&matrix);
-        Inertia { matrix, blocks }
+        let mut moved = vec![Vec::new(); n];
+        let mut movers = HashMap::new();
+        for (j, row) in matrix.iter().enumerate() {
+            for (k, &entry) in row.iter().enumerate() {
+                if self.g.as_number(entry).is_some() {
+                    continue;
+                }
+                let by = self.moved_by_coordinates(entry);
+                let by: Vec<usize> = (0..n).filter(|&i| by[i]).collect();
+                by.iter().for_each(|&i| moved[i].push((j, k)));
+                if !by.is_empty() {
+                    movers.insert((j, k), by);
+                }
+            }
+        }
+        Inertia {
+            matrix,
+            blocks,
+            moved,
+            movers,
+        }
     }
 
     /// Twice the kinetic energy, product by product: squares of rates first, in body order.
     fn kinetic_products(&mut self) -> Vec<Product> {
-        let mut products: Vec<Product> = Vec::new();
+        let mut products = Products::default();
         for body in 0..self.model.bodies.len() {
             for mass in &self.model.bodies[body].masses.clone() {
                 let place = self.place(body, mass.center);
@@ -95,7 +163,7 @@ impl Derivation<'_> {
                     && let Some(link) = self.turned_link(body)
                 {
                     let one = self.g.one();
-                    add(&mut products, link, link, one, mass.inertia);
+                    products.add(link, link, one, mass.inertia);
                 }
                 for (i, a) in velocity.iter().enumerate() {
                     for (j, b) in velocity.iter().enumerate().skip(i) {
@@ -130,11 +198,12 @@ impl Derivation<'_> {
                         } else {
                             (b.variable, a.variable)
                         };
-                        add(&mut products, first, second, shape, coefficient);
+                        products.add(first, second, shape, coefficient);
                     }
                 }
             }
         }
+        let mut products = products.list;
         for product in &mut products {
             product.terms.retain(|term| !self.g.is_zero(*term));
         }
@@ -173,6 +242,9 @@ impl Derivation<'_> {
         let mut terms = Vec::new();
         for i in 0..matrix.len() {
             for j in i..matrix.len() {
+                if self.g.is_zero(matrix[i][j]) {
+                    continue;
+                }
                 let [a, b] = [i, j].map(|k| {
                     let rate = self.coordinates[k].rate;
                     self.g.of(rate)
@@ -187,20 +259,5 @@ impl Derivation<'_> {
             }
         }
         self.g.sum(&terms)
-    }
-}
-
-fn add(products: &mut Vec<Product>, first: BodyId, second: BodyId, shape: Expr, term: Expr) {
-    let same = products
-        .iter_mut()
-        .find(|p| (p.first, p.second, p.shape) == (first, second, shape));
-    match same {
-        Some(product) => product.terms.push(term),
-        None => products.push(Product {
-            first,
-            second,
-            shape,
-            terms: vec![term],
-        }),
     }
 }

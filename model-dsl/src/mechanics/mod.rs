@@ -106,6 +106,8 @@ pub(crate) struct Derivation<'m> {
     /// For each coordinate: how symbols change with it.
     pub rates: Vec<Rates>,
     pub definitions: Vec<Definition>,
+    /// Value of each symbol that has one, as [`Self::definitions`] give it.
+    pub values: HashMap<Symbol, Expr>,
     pub partials: Vec<Partial>,
     pub directions: Vec<Direction>,
     pub discretes: Vec<Discrete>,
@@ -135,6 +137,7 @@ impl<'m> Derivation<'m> {
             variables: vec![None; model.bodies.len()],
             rates: vec![Rates::new(); structure.coordinates.len()],
             definitions: Vec::new(),
+            values: HashMap::new(),
             partials: Vec::new(),
             directions: Vec::new(),
             discretes: Vec::new(),
@@ -163,6 +166,7 @@ impl<'m> Derivation<'m> {
         if !self.is_of_params(value) {
             self.g.mark_varying(symbol);
         }
+        self.values.insert(symbol, value);
         self.definitions.push(Definition::Value {
             symbol,
             value,
@@ -232,16 +236,34 @@ impl<'m> Derivation<'m> {
             .zip(self.coordinates.clone())
             .map(|(lever, coordinate)| {
                 let rate = self.g.of(coordinate.rate);
-                self.g.mul(*lever, rate)
+                if self.g.is_zero(*lever) {
+                    *lever
+                } else {
+                    self.g.mul(*lever, rate)
+                }
             })
             .collect();
         self.g.sum(&terms)
     }
 
+    /// Whether each coordinate moves an expression.
+    pub(crate) fn moved_by_coordinates(&self, measure: Expr) -> Vec<bool> {
+        let symbols = self.g.symbols_in(&[measure]);
+        self.rates
+            .iter()
+            .map(|rates| symbols.iter().any(|symbol| rates.contains_key(symbol)))
+            .collect()
+    }
+
     /// ∂measure/∂q for each coordinate.
     pub(crate) fn gradient(&mut self, measure: Expr) -> Vec<Expr> {
+        let zero = self.g.zero();
+        let moved = self.moved_by_coordinates(measure);
         (0..self.coordinates.len())
             .map(|index| {
+                if !moved[index] {
+                    return zero;
+                }
                 let rates = std::mem::take(&mut self.rates[index]);
                 let value = self.g.derivative(measure, &rates);
                 self.rates[index] = rates;

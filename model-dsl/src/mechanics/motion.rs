@@ -264,16 +264,15 @@ impl Derivation<'_> {
     /// Whether the velocity terms of a coordinate are ½ ∂A/∂q q̇²: nothing else moves its inertia
     /// and it moves no other's.
     fn depends_on_itself_alone(&mut self, index: usize, inertia: &Inertia) -> bool {
-        let n = self.coordinates.len();
-        for j in 0..n {
-            for k in 0..n {
-                let slopes = self.gradient(inertia.matrix[j][k]);
-                for (by, slope) in slopes.into_iter().enumerate() {
-                    let own = (j, k, by) == (index, index, index);
-                    let concerned = (j == index && k == index) || by == index;
-                    if concerned && !own && !self.g.is_zero(slope) {
-                        return false;
-                    }
+        let mut entries = inertia.concerning(index);
+        entries.extend([(index, index)]);
+        for (j, k) in entries {
+            let slopes = self.gradient(inertia.matrix[j][k]);
+            for (by, slope) in slopes.into_iter().enumerate() {
+                let own = (j, k, by) == (index, index, index);
+                let concerned = (j == index && k == index) || by == index;
+                if concerned && !own && !self.g.is_zero(slope) {
+                    return false;
                 }
             }
         }
@@ -282,25 +281,16 @@ impl Derivation<'_> {
 
     /// h_i = Σ_jk (∂M_ij/∂q_k - ½ ∂M_jk/∂q_i) q̇_j q̇_k.
     fn velocity_terms(&mut self, index: usize, inertia: &Inertia) -> Expr {
-        let n = self.coordinates.len();
-        let rates: Vec<Expr> = self
-            .coordinates
-            .clone()
-            .iter()
-            .map(|c| self.g.of(c.rate))
-            .collect();
         let half = self.g.ratio(1, 2);
         let mut terms = Vec::new();
-        for j in 0..n {
-            let by_own = self.gradient(inertia.matrix[index][j]);
-            for k in 0..n {
-                let mut factor = vec![by_own[k]];
-                let slope = self.gradient(inertia.matrix[j][k])[index];
-                let slope = self.g.mul(half, slope);
-                factor.push(self.g.neg(slope));
-                let factor = self.g.sum(&factor);
-                terms.push(self.g.product(&[factor, rates[j], rates[k]]));
-            }
+        for (j, k) in inertia.concerning(index) {
+            let by_other = self.gradient(inertia.matrix[index][j])[k];
+            let slope = self.gradient(inertia.matrix[j][k])[index];
+            let slope = self.g.mul(half, slope);
+            let slope = self.g.neg(slope);
+            let factor = self.g.sum(&[by_other, slope]);
+            let rates = [j, k].map(|other| self.g.of(self.coordinates[other].rate));
+            terms.push(self.g.product(&[factor, rates[0], rates[1]]));
         }
         self.g.sum(&terms)
     }

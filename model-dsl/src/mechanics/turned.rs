@@ -179,11 +179,15 @@ impl Derivation<'_> {
         let mut merged: Vec<Turned> = Vec::with_capacity(parts.len());
         for part in parts {
             let parallel = merged.iter_mut().find(|known| {
-                (known.slide, known.link, known.offset, known.quarter)
-                    == (part.slide, part.link, part.offset, part.quarter)
+                (known.slide, known.link, known.offset, known.quarter % 2)
+                    == (part.slide, part.link, part.offset, part.quarter % 2)
             });
             match parallel {
-                Some(known) => known.magnitude = self.g.add(known.magnitude, part.magnitude),
+                Some(known) if known.quarter == part.quarter => {
+                    known.magnitude = self.g.add(known.magnitude, part.magnitude);
+                }
+                // Half a turn apart.
+                Some(known) => known.magnitude = self.g.sub(known.magnitude, part.magnitude),
                 None => merged.push(part),
             }
         }

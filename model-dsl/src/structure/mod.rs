@@ -341,10 +341,21 @@ fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
             join(id, slide.carrier, &mut group);
         }
     }
+    let mut members: Vec<Vec<BodyId>> = vec![Vec::new(); count];
+    for body in 1..count {
+        members[group[body]].push(body);
+    }
+    // A pin on several bodies belongs to the component of those that are not ground.
+    let mut pinned = vec![0; count];
+    for pin in &model.pins {
+        if let Some((body, _)) = pin.members.iter().find(|(body, _)| *body != GROUND) {
+            pinned[group[*body]] += pin.members.len() - 1;
+        }
+    }
     let mut errors = Vec::new();
     let mut components = Vec::new();
     for lead in 1..count {
-        let bodies: Vec<BodyId> = (1..count).filter(|body| group[*body] == lead).collect();
+        let bodies = std::mem::take(&mut members[lead]);
         let Some(&first) = bodies.first() else {
             continue;
         };
@@ -361,12 +372,7 @@ fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
             );
             continue;
         }
-        let pins: usize = model
-            .pins
-            .iter()
-            .filter(|pin| pin.members.iter().any(|(body, _)| bodies.contains(body)))
-            .map(|pin| pin.members.len() - 1)
-            .sum();
+        let pins: usize = pinned[lead];
         let slides = bodies
             .iter()
             .filter(|body| matches!(model.bodies[**body].kind, BodyKind::Slide(_)))

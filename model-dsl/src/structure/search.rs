@@ -17,6 +17,10 @@ pub(super) struct Search<'m> {
     placed: Vec<Option<Attachment>>,
     /// Distance from ground in bodies, by placed body.
     depth: Vec<usize>,
+    /// The pins on each body, in their order.
+    pins_of: Vec<Vec<usize>>,
+    /// The slides that run on each body, and each slide itself, in their order.
+    guides_of: Vec<Vec<BodyId>>,
     /// For each pin, which of its members are held together by a step or a placement.
     ties: Vec<Vec<usize>>,
     /// For each slide, whether its guide was used.
@@ -51,8 +55,28 @@ struct Front {
 impl<'m> Search<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
         let count = model.bodies.len();
+        let mut pins_of = vec![Vec::new(); count];
+        for (index, pin) in model.pins.iter().enumerate() {
+            for (body, _) in &pin.members {
+                if pins_of[*body].last() != Some(&index) {
+                    pins_of[*body].push(index);
+                }
+            }
+        }
+        let mut guides_of = vec![Vec::new(); count];
+        for (id, body) in model.bodies.iter().enumerate() {
+            if let BodyKind::Slide(slide) = &body.kind {
+                guides_of[slide.carrier].push(id);
+                if slide.carrier != id {
+                    guides_of[id].push(id);
+                }
+            }
+        }
+        guides_of.iter_mut().for_each(|ids| ids.sort_unstable());
         let mut search = Self {
             model,
+            pins_of,
+            guides_of,
             known: vec![false; count],
             placed: vec![None; count],
             depth: vec![0; count],
@@ -248,7 +272,8 @@ impl<'m> Search<'m> {
     /// Every way that goes one joint further.
     fn onward(&self, front: &Front, limit: usize) -> Vec<Front> {
         let mut found = Vec::new();
-        for (index, pin) in self.model.pins.iter().enumerate() {
+        for &index in &self.pins_of[front.body] {
+            let pin = &self.model.pins[index];
             let Some(a) = pin.members.iter().position(|(body, _)| *body == front.body) else {
                 continue;
             };
@@ -273,8 +298,8 @@ impl<'m> Search<'m> {
                 found.push(next);
             }
         }
-        for (id, body) in self.model.bodies.iter().enumerate() {
-            let BodyKind::Slide(slide) = &body.kind else {
+        for &id in &self.guides_of[front.body] {
+            let BodyKind::Slide(slide) = &self.model.bodies[id].kind else {
                 continue;
             };
             if front.guides.contains(&id) {

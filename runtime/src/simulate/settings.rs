@@ -3,6 +3,9 @@
 use super::breakdown::Breakdown;
 use crate::system::Variable;
 
+/// More rows than this are a slip of the pen: they would fill memory and disk.
+const MOST_ROWS: f64 = 1e7;
+
 /// What a run is asked to do.
 #[derive(Clone, Debug)]
 pub(super) struct Settings {
@@ -74,10 +77,13 @@ impl Settings {
                     "give an interval longer than zero",
                 ));
             }
-            if self.until / every > 1e9 {
+            if self.until / every > MOST_ROWS {
                 return Err(Breakdown::setting(
-                    format!("the run would have {:.1e} rows", self.until / every),
-                    "give a longer interval between rows",
+                    format!(
+                        "the run would have {:.1e} rows, more than {MOST_ROWS:.0e} are not allowed",
+                        self.until / every
+                    ),
+                    "give a longer interval between rows, or an earlier end",
                 ));
             }
         }

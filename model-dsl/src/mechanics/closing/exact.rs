@@ -51,6 +51,7 @@ impl Derivation<'_> {
         }
         if let Some((guess, body)) = last {
             // The unknowns take the place of the guesses that stood for them.
+            self.values.retain(|symbol, _| !unknowns.contains(symbol));
             self.definitions.retain(|definition| match definition {
                 Definition::Value { symbol, .. } => !unknowns.contains(symbol),
                 Definition::Solve(_) => true,

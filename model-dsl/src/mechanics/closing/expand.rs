@@ -2,7 +2,6 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::equations::Definition;
 use crate::symbolic::{Expr, Symbol};
 
 use super::super::Derivation;
@@ -24,14 +23,6 @@ impl Derivation<'_> {
         expr: Expr,
         map: &mut HashMap<Symbol, Expr>,
     ) -> Expr {
-        let defined: HashMap<Symbol, Expr> = self
-            .definitions
-            .iter()
-            .filter_map(|definition| match definition {
-                Definition::Value { symbol, value, .. } => Some((*symbol, *value)),
-                Definition::Solve(_) => None,
-            })
-            .collect();
         // A symbol may be mapped to itself, so what leads to one is known by its symbols alone.
         let mut touched: HashSet<Symbol> = map.keys().copied().collect();
         let mut stack: Vec<(Symbol, bool)> = self
@@ -45,7 +36,7 @@ impl Derivation<'_> {
             if map.contains_key(&symbol) {
                 continue;
             }
-            let Some(&value) = defined.get(&symbol) else {
+            let Some(&value) = self.values.get(&symbol) else {
                 continue;
             };
             if ready {

@@ -15,12 +15,12 @@ use super::super::turned::Turned;
 use super::super::{Definition, Derivation};
 use super::variables::Dependent;
 
-/// A link that turns with another, or with the fixed frame, at 0 or 180°.
+/// A link that turns with another, or with the fixed frame, some quarter turns ahead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Alias {
     /// The other link; `None` for the fixed frame.
     pub link: Option<BodyId>,
-    /// 0, or 2 for half a turn.
+    /// Quarter turns, 0 to 3.
     pub quarter: u8,
 }
 
@@ -73,7 +73,7 @@ impl Derivation<'_> {
 
     /// How a link has to turn so that its vector is the opposite of another.
     fn opposes(&mut self, unknown: &Turned, known: &Turned) -> Option<Alias> {
-        if unknown.offset != known.offset || !(unknown.quarter + known.quarter).is_multiple_of(2) {
+        if unknown.offset != known.offset {
             return None;
         }
         let turned = (known.quarter + 4 - unknown.quarter) % 4;
@@ -94,6 +94,10 @@ impl Derivation<'_> {
     /// The pairing of equal sides that is as drawn with the default params, unless the crossed loop
     /// is nearer to the drawing.
     fn drawn_parallel(&mut self, sum: &[Turned], bodies: [BodyId; 2]) -> Option<[Alias; 2]> {
+        let candidates = self.opposite_sides(sum, bodies);
+        if candidates.is_empty() {
+            return None;
+        }
         let known: Vec<Turned> = sum
             .iter()
             .filter(|part| !bodies.iter().any(|b| part.link == Some(*b)))
@@ -107,7 +111,7 @@ impl Derivation<'_> {
         });
         let diagonal = y.atan2(x);
         let mut best: Option<(f64, [Alias; 2])> = None;
-        for pairs in self.opposite_sides(sum, bodies) {
+        for pairs in candidates {
             let (mut parallel, mut crossed) = (0.0, 0.0);
             for (body, alias) in bodies.into_iter().zip(pairs) {
                 let Some(guess) = self.guess(body).value else {
@@ -137,12 +141,12 @@ impl Derivation<'_> {
             Some(link) => (self.variable(link).assembled, self.variable(link).shift),
             None => (self.g.zero(), self.g.zero()),
         };
-        let half_turn = {
+        let turn = {
             let pi = self.g.pi();
-            let halves = self.g.integer(i64::from(alias.quarter / 2));
+            let halves = self.g.ratio(i64::from(alias.quarter), 2);
             self.g.mul(pi, halves)
         };
-        let start = self.g.add(start, half_turn);
+        let start = self.g.add(start, turn);
         let start = match self.guess(body).value {
             Some(guess) => self.g.function(Function::Unwrap, &[start, guess]),
             None => start,
@@ -182,10 +186,11 @@ impl Derivation<'_> {
             }
             None => ("0".to_owned(), "0".to_owned()),
         };
-        let turn = if alias.quarter == 2 {
-            (" + π", " + \\pi")
-        } else {
-            ("", "")
+        let turn = match alias.quarter % 4 {
+            0 => ("", ""),
+            1 => (" + π/2", " + \\pi/2"),
+            2 => (" + π", " + \\pi"),
+            _ => (" - π/2", " - \\pi/2"),
         };
         lines.push(Line::Written {
             text: format!("{name} = {other}{} (opposite sides are equal)", turn.0),
