@@ -5,10 +5,10 @@
 //!
 //! Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen & Nguyen, Machines 2025, 13, 787.
 //!
-//! Beside the equations of the latter: its third bar points from `D` to `O2`, the rocker here from
-//! `O2` to `D`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by virtual
-//! work, so both terms with `ln` have the factor ω2 that its equation (24) lacks. Its equation (12)
-//! puts the third bar's centre of mass beyond `O2`; here it is on the bar.
+//! Where the equations of the latter differ: its third bar points from `D` to `O2`, the rocker here
+//! from `O2` to `D`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by
+//! virtual work, so both terms with `ln` have the factor ω2 that its equation (24) lacks. Its
+//! equation (12) puts the third bar's centre of mass beyond `O2`; here it is on the bar.
 model double_rocker
 
 // ── Flexure mechanism ────────────────────────────────────────────────────────────────────────

@@ -284,7 +284,7 @@ impl Design {
                 ));
                 let names = params.iter().map(|param| param.name.as_str());
                 error.hint(match closest(name, names.clone()) {
-                    Some(near) => format!("did you mean `{near}`"),
+                    Some(near) => format!("did you mean `{near}`?"),
                     None if params.is_empty() => "it has no params at all".to_owned(),
                     None => format!("it has {}", names.collect::<Vec<_>>().join(", ")),
                 })

@@ -223,6 +223,8 @@ pub struct Condition {
     pub zero_is_well: bool,
     /// The quantity, for the message: its value in SI fills the hole `{0}`.
     pub value: Expr,
+    /// Its SI unit; `None` for a plain number.
+    pub unit: Option<&'static str>,
     /// What to say where it fails.
     pub message: String,
     /// What would mend it.
@@ -236,6 +238,7 @@ impl Condition {
             margin: value,
             zero_is_well: false,
             value,
+            unit: None,
             message: format!("{name} is {{0}}"),
             hint: "it must be above zero".to_owned(),
         }
@@ -247,6 +250,14 @@ impl Condition {
             zero_is_well: true,
             hint: "it must not be below zero".to_owned(),
             ..Self::above_zero(value, name)
+        }
+    }
+
+    /// The same of a quantity with this SI unit.
+    pub fn in_unit(self, unit: &'static str) -> Self {
+        Self {
+            unit: Some(unit),
+            ..self
         }
     }
 }

@@ -130,11 +130,16 @@ fn documentation(program: &Program) -> Vec<String> {
         " Simulator of the model `{}`, generated from its equations of motion.",
         program.name
     )];
-    let words = program.doc.lines().map(items::plain);
-    let words: Vec<String> = words.filter(|line| !line.is_empty()).collect();
+    let words: Vec<String> = program.doc.trim().lines().map(items::plain).collect();
     if !words.is_empty() {
         lines.push(String::new());
-        lines.extend(words.into_iter().map(|line| format!(" {line}")));
+    }
+    for line in words {
+        if !line.is_empty() {
+            lines.push(format!(" {line}"));
+        } else if lines.last().is_some_and(|last| !last.is_empty()) {
+            lines.push(line);
+        }
     }
     lines
 }

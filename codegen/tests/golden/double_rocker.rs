@@ -1,13 +1,16 @@
 /// Simulator of the model `double_rocker`, generated from its equations of motion.
 ///
 /// Double-rocker flexure stick–slip actuator.
+///
 /// A piezo stack pushes a four-bar of flexure hinges at \`A\`. The coupler's tip \`C\` presses on a
 /// slider and carries it along by friction: slowly forward, sticking; quickly back, slipping.
+///
 /// Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen \& Nguyen, Machines 2025, 13, 787.
-/// Beside the equations of the latter: its third bar points from \`D\` to \`O2\`, the rocker here from
-/// \`O2\` to \`D\`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by virtual
-/// work, so both terms with \`ln\` have the factor ω2 that its equation (24) lacks. Its equation (12)
-/// puts the third bar's centre of mass beyond \`O2\`; here it is on the bar.
+///
+/// Where the equations of the latter differ: its third bar points from \`D\` to \`O2\`, the rocker here
+/// from \`O2\` to \`D\`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by
+/// virtual work, so both terms with \`ln\` have the factor ω2 that its equation (24) lacks. Its
+/// equation (12) puts the third bar's centre of mass beyond \`O2\`; here it is on the bar.
 #[allow(
     non_snake_case,
     non_upper_case_globals,
@@ -2004,7 +2007,7 @@ pub mod double_rocker {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
             message: Cow::Borrowed("the `rise` of the sawtooth is {0}"),
@@ -2044,7 +2047,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N/m")]),
         },
         Failure {
             message: Cow::Borrowed("the bristle damping `sigma1` is {0}"),
@@ -2056,7 +2059,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
             message: Cow::Borrowed("the viscous friction `sigma2` is {0}"),
@@ -2068,7 +2071,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
             message: Cow::Borrowed("the static friction coefficient `mu_s` is {0}"),
@@ -2104,7 +2107,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("m/s")]),
         },
         Failure {
             message: Cow::Borrowed("the preload is {0}"),
@@ -2116,7 +2119,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N")]),
         },
         Failure {
             message: Cow::Borrowed("`crank` can move but has no mass"),
@@ -2178,10 +2181,10 @@ slider and carries it along by friction: slowly forward, sticking; quickly back,
 
 Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen & Nguyen, Machines 2025, 13, 787.
 
-Beside the equations of the latter: its third bar points from `D` to `O2`, the rocker here from
-`O2` to `D`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by virtual
-work, so both terms with `ln` have the factor ω2 that its equation (24) lacks. Its equation (12)
-puts the third bar's centre of mass beyond `O2`; here it is on the bar.
+Where the equations of the latter differ: its third bar points from `D` to `O2`, the rocker here
+from `O2` to `D`, so its angle φ3 is 180° more; ω3 is the same. The contact's torque is by
+virtual work, so both terms with `ln` have the factor ω2 that its equation (24) lacks. Its
+equation (12) puts the third bar's centre of mass beyond `O2`; here it is on the bar.
 
 Loop crank–coupler–rocker
 ─────────────────────────
@@ -2277,7 +2280,7 @@ Constants
   r3  = ½ l3                 distance of the centre of mass from the first end of rocker
   I3  = 1/12 m3 (h² + l3²)   moment of inertia about the centre of mass of rocker
   φ1⁰ = 4/9 π                angle of `crank` as assembled
-  s   = (if X⁰/l3 > Y⁰/l2 then 1 else -1)
+  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
         which way the loop closes: as drawn
   X⁰  = l4 - l1 cos(φ1⁰)
   Y⁰  = -l1 sin(φ1⁰)
@@ -2300,10 +2303,10 @@ slider and carries it along by friction: slowly forward, sticking; quickly back,
 
 Sun et al., Micromachines 2023, 14, 1117; modelled by Nguyen \& Nguyen, Machines 2025, 13, 787.
 
-Beside the equations of the latter: its third bar points from \texttt{D} to \texttt{O2}, the rocker here from
-\texttt{O2} to \texttt{D}, so its angle \ensuremath{\varphi}3 is 180° more; \ensuremath{\omega}3 is the same. The contact's torque is by virtual
-work, so both terms with \texttt{ln} have the factor \ensuremath{\omega}2 that its equation (24) lacks. Its equation (12)
-puts the third bar's centre of mass beyond \texttt{O2}; here it is on the bar.
+Where the equations of the latter differ: its third bar points from \texttt{D} to \texttt{O2}, the rocker here
+from \texttt{O2} to \texttt{D}, so its angle \ensuremath{\varphi}3 is 180° more; \ensuremath{\omega}3 is the same. The contact's torque is by
+virtual work, so both terms with \texttt{ln} have the factor \ensuremath{\omega}2 that its equation (24) lacks. Its
+equation (12) puts the third bar's centre of mass beyond \texttt{O2}; here it is on the bar.
 
 \subsection*{Loop crank–coupler–rocker}
 \begin{align*}

@@ -2,6 +2,7 @@
 ///
 /// The flexure mechanism of the double-rocker actuator alone: a four-bar of slender bars with
 /// flexure hinges, released with the crank turning.
+///
 /// A check case: its energy is constant, and its motion is known to ten digits from an independent
 /// integration in absolute coordinates.
 #[allow(
@@ -1320,7 +1321,7 @@ Constants
   r3  = ½ l3          distance of the centre of mass from the first end of rocker
   I3  = 1/12 m3 l3²   moment of inertia about the centre of mass of rocker
   φ1⁰ = 4/9 π         angle of `crank` as assembled
-  s   = (if X⁰/l3 > Y⁰/l2 then 1 else -1)
+  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
         which way the loop closes: as drawn
   X⁰  = l4 - l1 cos(φ1⁰)
   Y⁰  = -l1 sin(φ1⁰)

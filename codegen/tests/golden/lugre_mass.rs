@@ -1,6 +1,7 @@
 /// Simulator of the model `lugre_mass`, generated from its equations of motion.
 ///
 /// Stick–slip of a mass that is pulled over a rough surface through a soft spring.
+///
 /// The standard example of the LuGre friction law: C. Canudas de Wit, H. Olsson, K. J. Åström,
 /// P. Lischinsky, A new model for control of systems with friction, IEEE Transactions on
 /// Automatic Control 40 (1995).
@@ -667,7 +668,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N/m")]),
         },
         Failure {
             message: Cow::Borrowed("the bristle damping `sigma1` is {0}"),
@@ -679,7 +680,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
             message: Cow::Borrowed("the viscous friction `sigma2` is {0}"),
@@ -691,7 +692,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
             message: Cow::Borrowed("the static friction coefficient `mu_s` is {0}"),
@@ -727,7 +728,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("m/s")]),
         },
         Failure {
             message: Cow::Borrowed("the preload is {0}"),
@@ -739,7 +740,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N")]),
         },
         Failure {
             message: Cow::Borrowed("`block` can move but has no mass"),

@@ -1,6 +1,7 @@
 /// Simulator of the model `msdm`, generated from its equations of motion.
 ///
 /// Mass–spring–damper model of the double-rocker actuator: the baseline of the article.
+///
 /// The flexure mechanism is one equivalent mass on one equivalent spring and damper between the
 /// piezo stack and the contact. Nguyen \& Nguyen, Machines 2025, 13, 787, equations 25 and 26.
 #[allow(
@@ -1028,7 +1029,7 @@ pub mod msdm {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
             message: Cow::Borrowed("the `rise` of the sawtooth is {0}"),
@@ -1068,7 +1069,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N/m")]),
         },
         Failure {
             message: Cow::Borrowed("the bristle damping `sigma1` is {0}"),
@@ -1080,7 +1081,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
             message: Cow::Borrowed("the viscous friction `sigma2` is {0}"),
@@ -1092,7 +1093,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
             message: Cow::Borrowed("the static friction coefficient `mu_s` is {0}"),
@@ -1128,7 +1129,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("m/s")]),
         },
         Failure {
             message: Cow::Borrowed("the preload is {0}"),
@@ -1140,7 +1141,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("N")]),
         },
         Failure {
             message: Cow::Borrowed("`stack` can move but has no mass"),

@@ -185,7 +185,7 @@ impl Derivation<'_> {
                 site: Some(self.model.source.site(span)),
                 values: vec![Shown {
                     value: condition.value,
-                    unit: ShownUnit::Number,
+                    unit: condition.unit.map_or(ShownUnit::Number, ShownUnit::Other),
                 }],
             };
             self.check(condition.margin, condition.zero_is_well, failure);

@@ -115,18 +115,18 @@ pub fn lugre(
     };
 
     let mut conditions = vec![
-        Condition::above_zero(sigma0, "the bristle stiffness `sigma0`"),
-        Condition::not_below_zero(sigma1, "the bristle damping `sigma1`"),
-        Condition::not_below_zero(sigma2, "the viscous friction `sigma2`"),
+        Condition::above_zero(sigma0, "the bristle stiffness `sigma0`").in_unit("N/m"),
+        Condition::not_below_zero(sigma1, "the bristle damping `sigma1`").in_unit("N*s/m"),
+        Condition::not_below_zero(sigma2, "the viscous friction `sigma2`").in_unit("N*s/m"),
         Condition::above_zero(mu_s, "the static friction coefficient `mu_s`"),
         Condition::above_zero(mu_c, "the sliding friction coefficient `mu_c`"),
-        Condition::above_zero(v_s, "the Stribeck velocity `v_s`"),
+        Condition::above_zero(v_s, "the Stribeck velocity `v_s`").in_unit("m/s"),
     ];
     let load = match normal_force {
         NormalForce::Constant(preload) => *preload,
         NormalForce::Compliant { .. } => load,
     };
-    conditions.push(Condition::above_zero(load, &format!("the {load_name}")));
+    conditions.push(Condition::above_zero(load, &format!("the {load_name}")).in_unit("N"));
 
     Friction {
         law: "lugre".to_owned(),

@@ -181,7 +181,7 @@ fn periodic(
             jumps,
         }),
         memory: vec![memory("cycle", cycle, zero), memory(place, piece, first)],
-        conditions: vec![Condition::above_zero(frequency, "the frequency")],
+        conditions: vec![Condition::above_zero(frequency, "the frequency").in_unit("Hz")],
     }
 }
 
@@ -237,7 +237,7 @@ pub fn sine(
     let sine = g.sin(angle);
     let swing = g.mul(amplitude, sine);
     Waveform {
-        conditions: vec![Condition::not_below_zero(frequency, "the frequency")],
+        conditions: vec![Condition::not_below_zero(frequency, "the frequency").in_unit("Hz")],
         ..smooth(g.add(offset, swing))
     }
 }
@@ -322,9 +322,9 @@ pub fn chirp(
     });
     let mut waveform = once(g, name, &[sweeping, steady], &[duration], false);
     waveform.conditions.extend([
-        Condition::above_zero(duration, "the `duration` of the chirp"),
-        Condition::not_below_zero(from, "the frequency `from` of the chirp"),
-        Condition::not_below_zero(to, "the frequency `to` of the chirp"),
+        Condition::above_zero(duration, "the `duration` of the chirp").in_unit("s"),
+        Condition::not_below_zero(from, "the frequency `from` of the chirp").in_unit("Hz"),
+        Condition::not_below_zero(to, "the frequency `to` of the chirp").in_unit("Hz"),
     ]);
     waveform
 }

@@ -231,7 +231,16 @@ impl<'g> Printer<'g> {
     /// The terms of a sum, the first positive one in front. Whether a term needs parentheses
     /// depends on its sign, so signs are changed before texts are made of the terms.
     fn signed_terms(&mut self, expr: Expr, opposite: bool) -> Vec<Term> {
-        let parts = self.parts(expr);
+        let mut parts = self.parts(expr);
+        if let [(negative, _)] = parts[..]
+            && negative == opposite
+            && let Some((_, alone)) = parts.pop()
+        {
+            return vec![Term {
+                negative: false,
+                text: alone.text,
+            }];
+        }
         let mut terms: Vec<Term> = parts
             .into_iter()
             .map(|(negative, written)| self.term(negative != opposite, written))
