@@ -20,6 +20,10 @@ use flexure_runtime::diagnostic::Diagnostic;
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
 use search::Search;
 
+/// Links and slides that a model may have: equations of more would be longer than anyone reads,
+/// and their search for loops slower than anyone waits.
+pub const MOST_BODIES: usize = 1000;
+
 /// How the place of a body follows from that of another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Attachment {
@@ -248,6 +252,16 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
         return Err(vec![
             Diagnostic::error("nothing in this model can move")
                 .hint("describe at least one `link` or `slide`"),
+        ]);
+    }
+    if let Some(body) = model.bodies.get(MOST_BODIES + 1) {
+        return Err(vec![
+            Diagnostic::error(format!(
+                "the model has {} bodies, more than {MOST_BODIES} are not compiled",
+                model.bodies.len() - 1
+            ))
+            .at(model.source.site(body.span))
+            .hint("lump links or slides together, or cut the model into several"),
         ]);
     }
     let components = components(model)?;
