@@ -277,6 +277,7 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             .iter()
             .filter(|body| component.bodies.contains(body))
             .count() as i64;
+        search.look_at(&component.bodies);
         search.proceed()?;
         while !search.is_placed(&component.bodies) {
             let has_own = coordinates
@@ -286,7 +287,12 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
                 search.together(&component.bodies)?;
                 continue;
             }
-            let Some(next) = search.best_coordinate(&component.bodies, left - 1) else {
+            let next = if component.loops == 0 {
+                search.first_unknown(&component.bodies)
+            } else {
+                search.best_coordinate(&component.bodies, left - 1)
+            };
+            let Some(next) = next else {
                 break;
             };
             coordinates.push(next);
@@ -319,6 +325,8 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
 /// Bodies that hang together without ground.
 struct Component {
     bodies: Vec<BodyId>,
+    /// Independent loops.
+    loops: i64,
     /// Degrees of freedom by counting: variables less two for each loop.
     freedom: i64,
 }
@@ -393,7 +401,11 @@ fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
             .count();
         let loops = (pins + slides) as i64 - bodies.len() as i64;
         let freedom = bodies.len() as i64 - 2 * loops;
-        components.push(Component { bodies, freedom });
+        components.push(Component {
+            bodies,
+            loops,
+            freedom,
+        });
     }
     if errors.is_empty() {
         Ok(components)
