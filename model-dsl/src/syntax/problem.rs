@@ -89,7 +89,11 @@ pub(super) fn explain(
     let span = Span::new(base + start, base + end.max(start + width));
     let next = text[start..].chars().next();
     let after_digit = text[..start].ends_with(|c: char| c.is_ascii_digit());
-    if next == Some('.') && after_digit {
+    let digit_follows = text[start..]
+        .chars()
+        .nth(1)
+        .is_some_and(|c| c.is_ascii_digit());
+    if next == Some('.') && after_digit && !digit_follows {
         let message = "a decimal point needs a digit after it";
         return Problem::new(message, span, "write `3` or `3.0`");
     }
@@ -134,7 +138,14 @@ pub(super) fn explain(
 /// What a rule is called in messages; `None` for rules that would not help.
 fn describe(rule: Rule) -> Option<&'static str> {
     Some(match rule {
-        Rule::name | Rule::path | Rule::keyword | Rule::entry_at => "a name",
+        Rule::name | Rule::label | Rule::dotted | Rule::path | Rule::keyword | Rule::entry_at => {
+            "a name"
+        }
+        Rule::whole | Rule::index => "a whole number",
+        Rule::parameter => "a parameter `NAME: KIND`",
+        Rule::constant => "`NAME = WHOLE NUMBER`",
+        Rule::binding => "`POINT = PLACE`",
+        Rule::bindings => "`at`",
         Rule::text | Rule::words => "words in quotation marks",
         Rule::literal
         | Rule::number
