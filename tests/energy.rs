@@ -58,7 +58,13 @@ const TRIALS: [Trial; 5] = [
 ];
 
 /// The mechanisms made for tests.
-const MORE_TRIALS: [Trial; 4] = [
+const MORE_TRIALS: [Trial; 5] = [
+    Trial {
+        name: "chain",
+        until: 0.2,
+        step: 2e-4,
+        smooth: true,
+    },
     Trial {
         name: "cart_pole",
         until: 0.3,

@@ -124,6 +124,11 @@ impl Source {
         }
     }
 
+    /// Which copy `span` lies in.
+    pub fn copy(&self, span: Span) -> Option<usize> {
+        self.copy_at(span.start).map(|copy| copy.start)
+    }
+
     /// What made the copies that `span` lies in, with what each is called, from the inside.
     pub fn within(&self, span: Span) -> Vec<(Span, String)> {
         let mut reasons = Vec::new();

@@ -63,11 +63,13 @@ pub(super) fn plan<'a>(
                 library,
                 instances: vec![Instance::default()],
                 parts: std::collections::BTreeMap::new(),
+                claims: Vec::new(),
                 problems,
             },
             pieces: Vec::new(),
         },
         mentioned: HashMap::new(),
+        inside: Vec::new(),
         copies: 0,
         length: 0,
         full: false,
@@ -81,6 +83,8 @@ struct Planner<'a, 's> {
     plan: Plan<'a>,
     /// Names of points and bodies that components mention.
     mentioned: HashMap<&'a str, HashSet<&'a str>>,
+    /// Components that the present items stand in, each with its part.
+    inside: Vec<(&'a str, Span)>,
     copies: usize,
     length: usize,
     /// Whether the model has grown too large; nothing more is planned then.
@@ -169,7 +173,7 @@ impl<'a> Planner<'a, '_> {
                 let message = format!(
                     "parts and repeats stand in each other more than {DEEPEST} levels deep"
                 );
-                let hint = "a component cannot be made of itself";
+                let hint = "put fewer of them in each other";
                 self.problem(Problem::new(message, reason, hint));
             }
             return None;
@@ -265,6 +269,17 @@ impl<'a> Planner<'a, '_> {
         if self.plan.names.parts.contains_key(&name) {
             return;
         }
+        if let Some(&(_, outer)) = self
+            .inside
+            .iter()
+            .find(|(known, _)| *known == name_of(component))
+        {
+            let message = format!("the component `{}` is made of itself", name_of(component));
+            let hint = "a part cannot hold the component that it stands in";
+            let problem = Problem::new(message, span, hint);
+            self.problem(problem.related(outer, "this part is made of it"));
+            return;
+        }
         let label = format!("in the part `{name}`");
         let Some(shift) = self.copy(*original, span, label, depth) else {
             return;
@@ -272,6 +287,7 @@ impl<'a> Planner<'a, '_> {
         let instance = self.plan.names.instances.len();
         self.plan.names.instances.push(Instance {
             prefix: format!("{name}."),
+            span,
             aliases: HashMap::new(),
         });
         self.plan.names.parts.insert(name.clone(), instance);
@@ -282,7 +298,9 @@ impl<'a> Planner<'a, '_> {
         };
         self.arguments(part, component, &name, &inside, scope);
         self.bindings(part, component, instance, scope);
+        self.inside.push((name_of(component), span));
         self.items(&component.items, &inside, Some(component), depth + 1);
+        self.inside.pop();
     }
 
     fn arguments(
@@ -332,6 +350,7 @@ impl<'a> Planner<'a, '_> {
                     Alias {
                         words: words.clone(),
                         instance: scope.instance,
+                        span: value.span.shifted(scope.shift),
                         point: false,
                     },
                 );
@@ -448,6 +467,7 @@ impl<'a> Planner<'a, '_> {
             let alias = Alias {
                 words,
                 instance: said.instance,
+                span: place.span.shifted(said.shift),
                 point: true,
             };
             let aliases = &mut self.plan.names.instances[instance].aliases;
@@ -466,6 +486,10 @@ impl<'a> Planner<'a, '_> {
             .map(|part| names.word(&part.text, part.span, scope))
             .collect()
     }
+}
+
+fn name_of(component: &Component) -> &str {
+    &component.name.text
 }
 
 /// The keyword of an item that cannot stand where it does.

@@ -1,13 +1,13 @@
 //! What names mean inside a part and inside a turn of a repeat.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::files::Library;
 use super::whole::indexed;
 use crate::parts::hinges::CircularFormula;
 use crate::source::Span;
 use crate::syntax::Problem;
-use crate::syntax::tree::{Name, Path};
+use crate::syntax::tree::{Item, ItemKind, Name, Path};
 
 /// Longest row of parts that hand a point on to each other.
 const LONGEST_ROW: usize = 1000;
@@ -20,6 +20,8 @@ const EVERYWHERE: [&str; 5] = ["t", "pi", "ground", "energy", "power"];
 pub(super) struct Instance {
     /// What its names start with: `left.`; nothing for the model.
     pub prefix: String,
+    /// Where the part is named.
+    pub span: Span,
     /// Names that stand for something outside.
     pub aliases: HashMap<String, Alias>,
 }
@@ -30,7 +32,9 @@ pub(super) struct Alias {
     pub words: Vec<String>,
     /// The instance in which they are said.
     pub instance: usize,
-    /// Whether it is a point, not a quantity.
+    /// Where they are said.
+    pub span: Span,
+    /// Whether it is a point or body, not a quantity.
     pub point: bool,
 }
 
@@ -52,6 +56,8 @@ pub(super) struct Names<'a> {
     pub instances: Vec<Instance>,
     /// Instances by the full name of the part.
     pub parts: BTreeMap<String, usize>,
+    /// Bodies with points that they are said to have, and where.
+    pub claims: Vec<(String, String, Span)>,
     pub problems: Vec<Problem>,
 }
 
@@ -108,10 +114,9 @@ impl Names<'_> {
             }
             _ => format!("{}{word}", instance.prefix),
         };
-        if self.parts.contains_key(&text) {
-            let message = format!("`{text}` is already a part");
-            let hint = "give one of the two another name";
-            self.problems.push(Problem::new(message, span, hint));
+        if let Some(&part) = self.parts.get(&text) {
+            let earlier = self.instances[part].span;
+            self.taken(&text, span, "a part", earlier);
         }
         Name { text, span }
     }
@@ -134,13 +139,48 @@ impl Names<'_> {
     }
 
     fn last(&mut self, words: Vec<String>, instance: usize, span: Span) -> String {
+        // What is wrong with a point that a part was given is wrong where it was given.
+        let aliases = &self.instances[instance].aliases;
+        let given = words.first().and_then(|first| aliases.get(first));
+        let span = given.map_or(span, |alias| alias.span);
         let mut words = self.whole_words(words, instance, true, span);
         if words.len() > 2 {
             let message = format!("`{}` is no point", words.join("."));
             let hint = "name a point, or a point of a part";
             self.problems.push(Problem::new(message, span, hint));
         }
-        words.pop().unwrap_or_default()
+        let point = words.pop().unwrap_or_default();
+        if let Some(body) = words.pop() {
+            self.claims.push((body, point.clone(), span));
+        }
+        point
+    }
+
+    /// Refuses points that bodies do not have, now that all items are written.
+    pub fn check_claims(&mut self, items: &[Item]) {
+        let mut had: HashSet<(&str, &str)> = HashSet::new();
+        for item in items {
+            match &item.kind {
+                ItemKind::Link(link) => {
+                    had.insert((&link.name.text, &link.from.text));
+                    had.insert((&link.name.text, &link.to.text));
+                }
+                ItemKind::Point(point) => {
+                    had.insert((&point.on.text, &point.name.text));
+                }
+                ItemKind::Grounds(list) => {
+                    had.extend(list.iter().map(|point| ("ground", &*point.name.text)));
+                }
+                _ => {}
+            }
+        }
+        for (body, point, span) in &self.claims {
+            if !had.contains(&(body.as_str(), point.as_str())) {
+                let message = format!("`{body}` has no point `{point}`");
+                let hint = format!("place it with `point {point} on {body} at (X, Y)`");
+                self.problems.push(Problem::new(message, *span, hint));
+            }
+        }
     }
 
     /// The one word of a body.

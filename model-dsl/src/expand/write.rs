@@ -27,6 +27,7 @@ pub(super) fn write(plan: Plan<'_>) -> (Vec<Item>, Vec<Problem>) {
             Piece::Argument(given) => argument(&mut names, &given, &mut items),
         }
     }
+    names.check_claims(&items);
     (items, names.problems)
 }
 

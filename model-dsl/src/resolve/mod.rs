@@ -116,8 +116,8 @@ struct Resolver<'a> {
     /// Whether items are missing because they could not be read: names may then be unknown for
     /// that reason alone.
     partial: bool,
-    /// Written places of which a copy was reported, with the part or turn whose copy it was.
-    reported: HashMap<Span, Span>,
+    /// Written places of which a copy was reported, with the copy.
+    reported: HashMap<(Span, Severity), usize>,
 }
 
 impl<'a> Resolver<'a> {
@@ -217,10 +217,10 @@ impl<'a> Resolver<'a> {
             return;
         }
         let within: Vec<(Span, String)> = self.model.source.within(span);
-        if let Some((innermost, _)) = within.first() {
+        if let Some(copy) = self.model.source.copy(span) {
             let written = self.model.source.written(span);
-            let copy = *self.reported.entry(written).or_insert(*innermost);
-            if copy != *innermost {
+            let key = (written, diagnostic.severity);
+            if *self.reported.entry(key).or_insert(copy) != copy {
                 return;
             }
         }

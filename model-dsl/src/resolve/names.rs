@@ -229,7 +229,7 @@ impl Resolver<'_> {
             ),
             _ => hint,
         };
-        if self.partial && !hint.starts_with("did you mean") {
+        if self.partial && (!hint.starts_with("did you mean") || !inner.is_empty()) {
             // It may be declared by an item that could not be read.
             return Reported;
         }

@@ -122,6 +122,18 @@ pub(super) fn explain(
     if expected.len() > 1 {
         expected.retain(|words| *words != "words in quotation marks");
     }
+    if expected.contains(&"a whole number")
+        && let Some(digits) = text[start..].strip_prefix(|c: char| c.is_ascii_digit())
+        && digits.contains('.')
+    {
+        let number: String = text[start..]
+            .chars()
+            .take_while(|c| c.is_ascii_digit() || *c == '.')
+            .collect();
+        let span = Span::new(base + start, base + start + number.len());
+        let message = format!("`{number}` is no whole number");
+        return Problem::new(message, span, format!("it is written `{form}`"));
+    }
     let message = match expected.as_slice() {
         [] => format!("this `{keyword}` cannot be read from {found} on"),
         [one] => format!("{one} is expected here, not {found}"),
