@@ -60,15 +60,15 @@ const TRIALS: [Trial; 5] = [
 /// The mechanisms made for tests.
 const MORE_TRIALS: [Trial; 5] = [
     Trial {
-        name: "chain",
-        until: 0.2,
-        step: 2e-4,
-        smooth: true,
-    },
-    Trial {
         name: "cart_pole",
         until: 0.3,
         step: 2e-3,
+        smooth: true,
+    },
+    Trial {
+        name: "chain",
+        until: 0.2,
+        step: 8e-4,
         smooth: true,
     },
     Trial {

@@ -177,7 +177,13 @@ impl Names<'_> {
         for (body, point, span) in &self.claims {
             if !had.contains(&(body.as_str(), point.as_str())) {
                 let message = format!("`{body}` has no point `{point}`");
-                let hint = format!("place it with `point {point} on {body} at (X, Y)`");
+                let hint = match (body.rsplit_once('.'), point.rsplit_once('.')) {
+                    (Some((part, inner)), Some((_, point))) => format!(
+                        "the component of `{part}` has to place it with `point {point} on {inner} \
+                         at (X, Y)`"
+                    ),
+                    _ => format!("place it with `point {point} on {body} at (X, Y)`"),
+                };
                 self.problems.push(Problem::new(message, *span, hint));
             }
         }
