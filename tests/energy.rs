@@ -124,11 +124,17 @@ const TRIALS: [Trial; 16] = [
 ];
 
 /// The mechanisms made for tests.
-const MORE_TRIALS: [Trial; 4] = [
+const MORE_TRIALS: [Trial; 5] = [
     Trial {
         name: "cart_pole",
         until: 0.3,
         step: 2e-3,
+        smooth: true,
+    },
+    Trial {
+        name: "chain",
+        until: 0.2,
+        step: 8e-4,
         smooth: true,
     },
     Trial {

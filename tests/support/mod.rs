@@ -62,8 +62,14 @@ pub fn shipped(name: &str) -> Compiled {
 }
 
 /// Mechanisms made for tests, in `tests/mechanisms`: guides that turn, coupled inertia, slides that
-/// carry links and slides, contacts between slides and contacts that lift off.
-pub const MECHANISMS: [&str; 4] = ["cart_pole", "pressing_arm", "slide_on_link", "xy_stage"];
+/// carry links and slides, contacts between slides and contacts that lift off, repeated parts.
+pub const MECHANISMS: [&str; 5] = [
+    "cart_pole",
+    "chain",
+    "pressing_arm",
+    "slide_on_link",
+    "xy_stage",
+];
 
 /// One of [`MECHANISMS`].
 pub fn mechanism(name: &str) -> Compiled {
