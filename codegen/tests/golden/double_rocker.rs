@@ -768,7 +768,7 @@ pub mod double_rocker {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - l1_cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -897,7 +897,7 @@ pub mod double_rocker {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - l1_cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -1112,7 +1112,7 @@ pub mod double_rocker {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -1179,7 +1179,7 @@ pub mod double_rocker {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - l1_cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -1284,7 +1284,7 @@ pub mod double_rocker {
         let φ1 = x[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         let Y = -(p.l1 * sin_φ1);
         // its length squared
@@ -1310,7 +1310,7 @@ pub mod double_rocker {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;

@@ -404,7 +404,7 @@ pub mod four_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - l1_cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -492,7 +492,7 @@ pub mod four_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - l1_cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -626,7 +626,7 @@ pub mod four_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -693,7 +693,7 @@ pub mod four_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -762,7 +762,7 @@ pub mod four_bar {
         let φ1 = x[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         let Y = -(p.l1 * sin_φ1);
         // its length squared
@@ -788,7 +788,7 @@ pub mod four_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
-        // vector that the two links that close crank–coupler–rocker span
+        // vector that is left to close crank–coupler–rocker
         let X = p.l4 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;

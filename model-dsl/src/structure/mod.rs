@@ -282,6 +282,13 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
         }
     }
     search.leftover_joints();
+    if coordinates.is_empty() {
+        return Err(vec![
+            Diagnostic::error("nothing in this model can move: its links form a rigid truss")
+                .at(model.source.site(model.bodies[1].span))
+                .hint("remove a link, or let one of them end in a point of its own"),
+        ]);
+    }
     coordinates.sort_unstable();
     let structure = Structure {
         attachments: search.attachments(),

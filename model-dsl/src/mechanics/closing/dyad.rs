@@ -118,7 +118,7 @@ impl Derivation<'_> {
         let mut known: Vec<Turned> = dyad.sum.iter().filter(is_known).copied().collect();
         self.reverse(&mut known);
         let [x, y] = self.position(&known);
-        let words = format!("vector that what closes {name} has to span");
+        let words = format!("vector that is left to close {name}");
         let x = self.step(dyad, "X", x, &words);
         let y = self.step(dyad, "Y", y, "");
         [x, y]
