@@ -150,6 +150,7 @@ macro_rules! golden {
         fn every_model_is_here() {
             let mut names: Vec<String> =
                 support::models::all().into_iter().map(|e| e.name).collect();
+            names.retain(|name| !support::models::TOO_LONG.contains(&name.as_str()));
             names.push("slider_crank_by_hand".to_owned());
             names.sort();
             assert_eq!([$(stringify!($name)),*].as_slice(), names.as_slice());
@@ -173,6 +174,5 @@ golden! {
     six_bar: six_bar in six_bar_golden at "golden/six_bar.rs",
     slider_crank: slider_crank in slider_crank_golden at "golden/slider_crank.rs",
     slider_crank_by_hand: slider_crank_by_hand in slider_crank_by_hand_golden at "golden/slider_crank_by_hand.rs",
-    three_rrr: three_rrr in three_rrr_golden at "golden/three_rrr.rs",
     xy_stage: xy_stage in xy_stage_golden at "golden/xy_stage.rs",
 }

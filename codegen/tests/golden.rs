@@ -64,6 +64,9 @@ fn check(equations: &Equations) -> Vec<String> {
 fn generated_code_is_as_it_was_read() {
     let mut differences = check(&support::handmade::slider_crank());
     for equations in support::models::all() {
+        if support::models::TOO_LONG.contains(&equations.name.as_str()) {
+            continue;
+        }
         differences.extend(check(&equations));
     }
     assert!(differences.is_empty(), "{}", differences.join("\n"));

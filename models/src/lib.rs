@@ -13,8 +13,18 @@
 #![deny(warnings)]
 #![forbid(unsafe_code)]
 
+flexure_macros::include_model!(::flexure_runtime, "andrews.flex");
+flexure_macros::include_model!(::flexure_runtime, "bridge_amplifier.flex");
+flexure_macros::include_model!(::flexure_runtime, "double_parallelogram_stage.flex");
 flexure_macros::include_model!(::flexure_runtime, "double_rocker.flex");
+flexure_macros::include_model!(::flexure_runtime, "five_bar.flex");
 flexure_macros::include_model!(::flexure_runtime, "four_bar.flex");
 flexure_macros::include_model!(::flexure_runtime, "lugre_mass.flex");
 flexure_macros::include_model!(::flexure_runtime, "msdm.flex");
+flexure_macros::include_model!(::flexure_runtime, "n_windows_1.flex");
+flexure_macros::include_model!(::flexure_runtime, "n_windows_2.flex");
+flexure_macros::include_model!(::flexure_runtime, "parallelogram_stage.flex");
 flexure_macros::include_model!(::flexure_runtime, "pendulum.flex");
+flexure_macros::include_model!(::flexure_runtime, "six_bar.flex");
+flexure_macros::include_model!(::flexure_runtime, "slider_crank.flex");
+flexure_macros::include_model!(::flexure_runtime, "xy_stage.flex");

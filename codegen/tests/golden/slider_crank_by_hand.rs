@@ -1,4 +1,4 @@
-/// Simulator of the model `slider_crank`, generated from its equations of motion.
+/// Simulator of the model `slider_crank_by_hand`, generated from its equations of motion.
 ///
 /// A crank with a rod.
 #[allow(
@@ -9,7 +9,7 @@
     clippy::pedantic,
     rustdoc::all
 )]
-pub mod slider_crank {
+pub mod slider_crank_by_hand {
     use std::borrow::Cow;
     use ::flexure_runtime::checks::{check_params, check_start};
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
@@ -812,8 +812,8 @@ pub mod slider_crank {
     ];
     static TABLE_1: [f64; 3] = [0.25, -1.5, 2.0];
     /// The equations of motion in plain text.
-    pub const EQUATIONS: &str = r#"slider_crank
-════════════
+    pub const EQUATIONS: &str = r#"slider_crank_by_hand
+════════════════════
 
 A crank with a rod.
 "#;
@@ -826,7 +826,7 @@ A crank with a rod.
 \allowdisplaybreaks
 \begin{document}
 
-\section*{slider\_crank}
+\section*{slider\_crank\_by\_hand}
 A crank with a rod.
 
 \end{document}

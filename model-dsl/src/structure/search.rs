@@ -1,5 +1,7 @@
 //! The search for the next step: what can be placed, which loop closes, what remains.
 
+mod matching;
+
 use std::collections::VecDeque;
 
 use flexure_runtime::diagnostic::Diagnostic;
@@ -459,6 +461,11 @@ impl<'m> Search<'m> {
         candidates
             .iter()
             .find(closes)
+            .or_else(|| {
+                candidates
+                    .iter()
+                    .find(|body| self.can_spare(bodies, **body))
+            })
             .or(candidates.first())
             .copied()
     }
