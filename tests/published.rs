@@ -23,9 +23,7 @@ fn run(compiled: &Compiled, until: f64) -> Run {
 }
 
 /// Andrews' angles, then their rates.
-const NAMES: [&str; 7] = [
-    "beta", "theta", "gamma", "phi", "delta", "Omega", "epsilon",
-];
+const NAMES: [&str; 7] = ["beta", "theta", "gamma", "phi", "delta", "Omega", "epsilon"];
 
 fn compare_andrews(until: f64, angles: [f64; 7], rates: [f64; 7], allowed: [f64; 2]) {
     let run = run(&shipped("andrews"), until);
