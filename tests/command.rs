@@ -293,6 +293,14 @@ fn wrong_settings_are_wrong_calls() {
     wrong(&["--dt", "0s"], &["above zero"]);
     wrong(&["--every", "-1s"], &["above zero"]);
     wrong(&["--every", "1e-15s"], &["rows"]);
+    wrong(
+        &["--every", "1e-12"],
+        &["rows, more than 1e7 are not allowed"],
+    );
+    wrong(&["--rtol", "0"], &["1e-13 to 0.1"]);
+    wrong(&["--rtol", "NaN"], &["1e-13 to 0.1"]);
+    wrong(&["--rtol", "-1"], &["1e-13 to 0.1"]);
+    wrong(&["--dt", "1e-300"], &["steps, more than"]);
     wrong(&["--dt", "1e-15 s"], &["steps"]);
     wrong(&["--plot", "a.png"], &[".svg or .html"]);
     wrong(&["-o", "oscillator.flex"], &["overwrite the model"]);

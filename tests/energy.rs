@@ -24,12 +24,36 @@ struct Trial {
     smooth: bool,
 }
 
-const TRIALS: [Trial; 5] = [
+const TRIALS: [Trial; 16] = [
+    Trial {
+        name: "andrews",
+        until: 0.02,
+        step: 1e-4,
+        smooth: true,
+    },
+    Trial {
+        name: "bridge_amplifier",
+        until: 4e-3,
+        step: 2e-5,
+        smooth: true,
+    },
+    Trial {
+        name: "double_parallelogram_stage",
+        until: 0.1,
+        step: 5e-4,
+        smooth: true,
+    },
     Trial {
         name: "double_rocker",
         until: 2e-3,
         step: 1e-6,
         smooth: false,
+    },
+    Trial {
+        name: "five_bar",
+        until: 0.05,
+        step: 2e-4,
+        smooth: true,
     },
     Trial {
         name: "four_bar",
@@ -50,19 +74,67 @@ const TRIALS: [Trial; 5] = [
         smooth: false,
     },
     Trial {
+        name: "n_windows_1",
+        until: 1.0,
+        step: 5e-3,
+        smooth: true,
+    },
+    Trial {
+        name: "n_windows_2",
+        until: 1.0,
+        step: 5e-3,
+        smooth: true,
+    },
+    Trial {
+        name: "parallelogram_stage",
+        until: 0.05,
+        step: 2e-4,
+        smooth: true,
+    },
+    Trial {
         name: "pendulum",
         until: 0.5,
         step: 5e-3,
         smooth: true,
     },
+    Trial {
+        name: "six_bar",
+        until: 20e-3,
+        step: 5e-5,
+        smooth: true,
+    },
+    Trial {
+        name: "slider_crank",
+        until: 50e-3,
+        step: 4e-4,
+        smooth: true,
+    },
+    Trial {
+        name: "three_rrr",
+        until: 40e-3,
+        step: 4e-4,
+        smooth: true,
+    },
+    Trial {
+        name: "xy_stage",
+        until: 5e-3,
+        step: 1e-5,
+        smooth: true,
+    },
 ];
 
 /// The mechanisms made for tests.
-const MORE_TRIALS: [Trial; 4] = [
+const MORE_TRIALS: [Trial; 5] = [
     Trial {
         name: "cart_pole",
         until: 0.3,
         step: 2e-3,
+        smooth: true,
+    },
+    Trial {
+        name: "chain",
+        until: 0.2,
+        step: 8e-4,
         smooth: true,
     },
     Trial {
@@ -136,6 +208,7 @@ fn every_model_has_a_trial() {
 
 #[test]
 fn fixed_steps() {
+    let mut failures = Vec::new();
     for (trial, compiled) in trials() {
         let system = tape(&compiled, &[]);
         let errors: Vec<f64> = (0..4)
@@ -149,12 +222,16 @@ fn fixed_steps() {
         let order = (errors[0] / errors[errors.len() - 1]).log2() / halvings;
         println!("{}: order {order}", trial.name);
         let least = if trial.smooth { 3.8 } else { 1.0 };
-        assert!(order >= least, "{}: order {order}, {errors:?}", trial.name);
+        if order < least {
+            failures.push(format!("{}: order {order}, {errors:?}", trial.name));
+        }
     }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
 #[test]
 fn adaptive_steps() {
+    let mut failures = Vec::new();
     for (trial, compiled) in trials() {
         let system = tape(&compiled, &[]);
         let tolerances = [1e-5, 1e-7, 1e-9];
@@ -169,9 +246,11 @@ fn adaptive_steps() {
             trial.name
         );
         let least = if trial.smooth { 0.8 } else { 0.5 };
-        assert!(order >= least, "{}: power {order}, {errors:?}", trial.name);
-        assert!(errors[2] < 1e-6, "{}: {errors:?}", trial.name);
+        if order < least || errors[2] >= 1e-6 {
+            failures.push(format!("{}: power {order}, {errors:?}", trial.name));
+        }
     }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
 /// Without this the trial of the pressing arm would say nothing of lifting off.

@@ -80,6 +80,16 @@ fn a_renamed_crate_is_rebuilt_with_its_model() {
     let (out, err) = told(&foreign.run());
     assert_eq!(out, "2000\n", "{err}");
 
+    foreign.write("models/sizes.flex", "const scale = 3\n");
+    let with_file = model("scale * 1 kN/m\nuse \"sizes.flex\"");
+    foreign.write("models/swing.flex", &with_file);
+    let (out, err) = told(&foreign.run());
+    assert_eq!(out, "3000\n", "{err}");
+
+    foreign.write("models/sizes.flex", "const scale = 4\n");
+    let (out, err) = told(&foreign.run());
+    assert_eq!(out, "4000\n", "{err}");
+
     foreign.write("models/swing.flex", &model("2 kN/m * q"));
     let (_, err) = told(&foreign.run());
     let errors = err.lines().filter(|line| line.starts_with("error")).count();

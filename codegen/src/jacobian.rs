@@ -3,7 +3,7 @@
 //! Each definition that changes with the variable gets a definition of its derivative, so that the
 //! graph grows by about its own size per variable instead of being written out.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use flexure_model_dsl::symbolic::{Expr, Graph, Node, Rates, Symbol};
 
@@ -11,22 +11,72 @@ use flexure_model_dsl::symbolic::{Expr, Graph, Node, Rates, Symbol};
 /// variable of which it depends.
 pub(crate) type Known = HashMap<Symbol, HashMap<Symbol, Expr>>;
 
-/// Derivatives of `roots` by `variable`, with all other given quantities held. `definitions` come
-/// each after what it uses; definitions of derivatives are appended to `derived`.
+/// Definitions, each after what it uses, and roots, with who uses what: most depend on few
+/// variables.
+pub(crate) struct Uses<'d> {
+    definitions: &'d [(Symbol, Expr)],
+    roots: &'d [Expr],
+    /// By symbol, the positions of the definitions that change at once when it does.
+    definitions_of: HashMap<Symbol, Vec<usize>>,
+    /// By symbol, the positions of the roots with it.
+    roots_of: HashMap<Symbol, Vec<usize>>,
+}
+
+impl<'d> Uses<'d> {
+    pub(crate) fn new(
+        graph: &Graph,
+        definitions: &'d [(Symbol, Expr)],
+        roots: &'d [Expr],
+        known: &Known,
+    ) -> Self {
+        let mut definitions_of: HashMap<Symbol, Vec<usize>> = HashMap::new();
+        for (position, (symbol, value)) in definitions.iter().enumerate() {
+            let uses: Vec<Symbol> = match known.get(symbol) {
+                Some(partials) => partials.keys().copied().collect(),
+                None => graph.symbols_in(&[*value]),
+            };
+            for used in uses {
+                definitions_of.entry(used).or_default().push(position);
+            }
+        }
+        let mut roots_of: HashMap<Symbol, Vec<usize>> = HashMap::new();
+        for (position, root) in roots.iter().enumerate() {
+            for used in graph.symbols_in(&[*root]) {
+                roots_of.entry(used).or_default().push(position);
+            }
+        }
+        Self {
+            definitions,
+            roots,
+            definitions_of,
+            roots_of,
+        }
+    }
+}
+
+/// Derivatives of the roots by `variable`, with all other given quantities held: those that may
+/// not be zero, by the root's position. Definitions of derivatives are appended to `derived`.
 pub(crate) fn derivatives(
     graph: &mut Graph,
-    definitions: &[(Symbol, Expr)],
-    roots: &[Expr],
+    uses: &Uses<'_>,
     variable: Symbol,
     known: &Known,
     derived: &mut Vec<(Symbol, Expr)>,
-) -> Vec<Expr> {
+) -> Vec<(usize, Expr)> {
     let one = graph.one();
     let mut rates = Rates::from([(variable, one)]);
-    for &(symbol, value) in definitions {
+    let users = |symbol: Symbol| uses.definitions_of.get(&symbol).into_iter().flatten();
+    let roots_with = |symbol: Symbol| uses.roots_of.get(&symbol).into_iter().flatten();
+    let mut waiting: BTreeSet<usize> = users(variable).copied().collect();
+    let mut moved: BTreeSet<usize> = roots_with(variable).copied().collect();
+    // A definition comes after what it uses, so the first one waiting is ready.
+    while let Some(position) = waiting.pop_first() {
+        let (symbol, value) = uses.definitions[position];
         if let Some(partials) = known.get(&symbol) {
             if let Some(&partial) = partials.get(&variable) {
                 rates.insert(symbol, partial);
+                waiting.extend(users(symbol));
+                moved.extend(roots_with(symbol));
             }
             continue;
         }
@@ -53,6 +103,10 @@ pub(crate) fn derivatives(
             }
         };
         rates.insert(symbol, rate);
+        waiting.extend(users(symbol));
+        moved.extend(roots_with(symbol));
     }
-    graph.derivatives(roots, &rates)
+    let roots: Vec<Expr> = moved.iter().map(|&position| uses.roots[position]).collect();
+    let values = graph.derivatives(&roots, &rates);
+    moved.into_iter().zip(values).collect()
 }

@@ -6,7 +6,7 @@ use flexure_model_dsl::equations::{self, Definition, Equations};
 use flexure_model_dsl::symbolic::{Expr, Graph, Symbol};
 
 use crate::directions::{Identities, identities};
-use crate::jacobian::{Known, derivatives};
+use crate::jacobian::{Known, Uses, derivatives};
 
 /// What is done on the graph before values are made of it.
 pub(crate) struct Symbolic {
@@ -50,10 +50,9 @@ impl Symbolic {
         let mut jacobian = Vec::new();
         let rates: Vec<Expr> = equations.states.iter().map(|state| state.rate).collect();
         let relevant = relevant(graph, &definitions, &rates);
+        let uses = Uses::new(graph, &relevant, &rates, &known);
         for (column, state) in equations.states.iter().enumerate() {
-            let column_values =
-                derivatives(graph, &relevant, &rates, state.symbol, &known, &mut derived);
-            for (row, value) in column_values.into_iter().enumerate() {
+            for (row, value) in derivatives(graph, &uses, state.symbol, &known, &mut derived) {
                 if !graph.is_zero(value) {
                     jacobian.push((row, column, value));
                 }
@@ -114,18 +113,18 @@ fn solve_jacobian(
     solve: &equations::Solve,
     derived: &mut Vec<(Symbol, Expr)>,
 ) -> Vec<Expr> {
+    let known = Known::new();
+    let uses = Uses::new(graph, &solve.definitions, &solve.residuals, &known);
+    let zero = graph.zero();
     let columns: Vec<Vec<Expr>> = solve
         .unknowns
         .iter()
         .map(|unknown| {
-            derivatives(
-                graph,
-                &solve.definitions,
-                &solve.residuals,
-                *unknown,
-                &Known::new(),
-                derived,
-            )
+            let mut column = vec![zero; solve.residuals.len()];
+            for (row, value) in derivatives(graph, &uses, *unknown, &known, derived) {
+                column[row] = value;
+            }
+            column
         })
         .collect();
     (0..solve.residuals.len())

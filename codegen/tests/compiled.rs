@@ -150,7 +150,7 @@ macro_rules! golden {
         fn every_model_is_here() {
             let mut names: Vec<String> =
                 support::models::all().into_iter().map(|e| e.name).collect();
-            names.push("slider_crank".to_owned());
+            names.push("slider_crank_by_hand".to_owned());
             names.sort();
             assert_eq!([$(stringify!($name)),*].as_slice(), names.as_slice());
         }
@@ -158,10 +158,21 @@ macro_rules! golden {
 }
 
 golden! {
+    andrews: andrews in andrews_golden at "golden/andrews.rs",
+    bridge_amplifier: bridge_amplifier in bridge_amplifier_golden at "golden/bridge_amplifier.rs",
+    double_parallelogram_stage: double_parallelogram_stage in double_parallelogram_stage_golden at "golden/double_parallelogram_stage.rs",
     double_rocker: double_rocker in double_rocker_golden at "golden/double_rocker.rs",
+    five_bar: five_bar in five_bar_golden at "golden/five_bar.rs",
     four_bar: four_bar in four_bar_golden at "golden/four_bar.rs",
     lugre_mass: lugre_mass in lugre_mass_golden at "golden/lugre_mass.rs",
     msdm: msdm in msdm_golden at "golden/msdm.rs",
+    n_windows_1: n_windows_1 in n_windows_1_golden at "golden/n_windows_1.rs",
+    n_windows_2: n_windows_2 in n_windows_2_golden at "golden/n_windows_2.rs",
+    parallelogram_stage: parallelogram_stage in parallelogram_stage_golden at "golden/parallelogram_stage.rs",
     pendulum: pendulum in pendulum_golden at "golden/pendulum.rs",
+    six_bar: six_bar in six_bar_golden at "golden/six_bar.rs",
     slider_crank: slider_crank in slider_crank_golden at "golden/slider_crank.rs",
+    slider_crank_by_hand: slider_crank_by_hand in slider_crank_by_hand_golden at "golden/slider_crank_by_hand.rs",
+    three_rrr: three_rrr in three_rrr_golden at "golden/three_rrr.rs",
+    xy_stage: xy_stage in xy_stage_golden at "golden/xy_stage.rs",
 }

@@ -1,6 +1,7 @@
 //! From the text of a model file to the equations of motion.
 mod compile;
 pub mod equations;
+pub mod expand;
 pub mod mechanics;
 pub mod model;
 pub mod notation;

@@ -14,6 +14,12 @@ fn files(path: &str) -> Result<String, String> {
     match path {
         "backwards.csv" => Ok("time,x\n0,1\n2,3\n1,2\n".to_owned()),
         "words.csv" => Ok("time,x\n0,1\n1,two\n".to_owned()),
+        "first.flex" => Ok("use \"second.flex\"\n".to_owned()),
+        "second.flex" => Ok("const N = 3\nuse \"first.flex\"\n".to_owned()),
+        "model.flex" => Ok("model n\nconst N = 3\n".to_owned()),
+        "faulty.flex" => Ok("component bar(l: length) {\n  \
+             link web from P to Q { length = l, angle = 0 deg, mass = 1 mm }\n}\n"
+            .to_owned()),
         _ => Err("no such file".to_owned()),
     }
 }

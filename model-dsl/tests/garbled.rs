@@ -52,6 +52,10 @@ fn models() -> Vec<String> {
     ]
     .iter()
     .map(|name| format!("{}/../models/{name}.flex", env!("CARGO_MANIFEST_DIR")))
+    .chain([format!(
+        "{}/../tests/mechanisms/chain.flex",
+        env!("CARGO_MANIFEST_DIR")
+    )])
     .map(|path| std::fs::read_to_string(path).expect("the model file is there"))
     .collect()
 }
@@ -101,11 +105,24 @@ const SNIPPETS: &[&str] = &[
     "param x = ",
     "C",
     "ground",
+    "[",
+    "]",
+    "[i]",
+    "[i+1]",
+    "[99999999999999999999]",
+    "repeat i from 1 to 3 {",
+    "repeat k from 0 to N {\n",
+    "component weight {",
+    "part p = weight(lever = arm, load = bob) at Top = B1",
+    "const N = ",
+    "use \"a.flex\"",
+    "bob1.Tip",
+    "bar",
 ];
 
 fn garbled() -> impl Strategy<Value = String> {
     let edit = (any::<prop::sample::Index>(), 0usize..12, 0..SNIPPETS.len());
-    (0usize..5, prop::collection::vec(edit, 1..6)).prop_map(|(which, edits)| {
+    (0usize..6, prop::collection::vec(edit, 1..6)).prop_map(|(which, edits)| {
         let mut text: Vec<char> = models()[which].chars().collect();
         for (at, removed, snippet) in edits {
             let start = at.index(text.len());
@@ -125,7 +142,7 @@ proptest! {
     }
 
     #[test]
-    fn shuffled_lines(which in 0usize..5, seed in prop::collection::vec(any::<prop::sample::Index>(), 40)) {
+    fn shuffled_lines(which in 0usize..6, seed in prop::collection::vec(any::<prop::sample::Index>(), 40)) {
         let text = models()[which].clone();
         let mut lines: Vec<&str> = text.lines().collect();
         for index in seed {

@@ -10,6 +10,7 @@
 )]
 
 pub mod four_bars;
+pub mod grown;
 pub mod multipliers;
 pub mod oracle;
 pub mod random;
@@ -30,19 +31,23 @@ pub struct Compiled {
 
 /// Compiles the text of a model file, which must be without faults.
 pub fn compile(name: &str, text: &str) -> Compiled {
+    try_compile(name, text).unwrap_or_else(|error| panic!("{name}:\n{error}\n{text}"))
+}
+
+/// Compiles the text of a model file, or says what is wrong with it.
+pub fn try_compile(name: &str, text: &str) -> Result<Compiled, String> {
     let none = |path: &str| Err(format!("no file `{path}`"));
     let source = Source::new(name, text);
-    let fail = |problems: Vec<flexure_runtime::diagnostic::Diagnostic>| -> ! {
+    let fail = |problems: Vec<flexure_runtime::diagnostic::Diagnostic>| {
         let lines: Vec<String> = problems.iter().map(|p| p.to_string()).collect();
-        panic!("{name}:\n{}\n{text}", lines.join("\n"))
+        lines.join("\n")
     };
-    let (model, _) =
-        flexure_model_dsl::resolve::resolve(source.clone(), &none).unwrap_or_else(|p| fail(p));
-    let (equations, _) = flexure_model_dsl::compile(source, &none).unwrap_or_else(|p| fail(p));
-    Compiled {
+    let (model, _) = flexure_model_dsl::resolve::resolve(source.clone(), &none).map_err(fail)?;
+    let (equations, _) = flexure_model_dsl::compile(source, &none).map_err(fail)?;
+    Ok(Compiled {
         model,
         oracle: Oracle::new(equations),
-    }
+    })
 }
 
 /// The text of a model of this repository.
@@ -57,8 +62,14 @@ pub fn shipped(name: &str) -> Compiled {
 }
 
 /// Mechanisms made for tests, in `tests/mechanisms`: guides that turn, coupled inertia, slides that
-/// carry links and slides, contacts between slides and contacts that lift off.
-pub const MECHANISMS: [&str; 4] = ["cart_pole", "pressing_arm", "slide_on_link", "xy_stage"];
+/// carry links and slides, contacts between slides and contacts that lift off, repeated parts.
+pub const MECHANISMS: [&str; 5] = [
+    "cart_pole",
+    "chain",
+    "pressing_arm",
+    "slide_on_link",
+    "xy_stage",
+];
 
 /// One of [`MECHANISMS`].
 pub fn mechanism(name: &str) -> Compiled {

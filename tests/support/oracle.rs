@@ -27,6 +27,7 @@ pub struct Prepared<'o> {
     pub start: Vec<f64>,
     /// Discrete state, brought along by [`Prepared::accept`].
     pub discretes: Vec<f64>,
+    first_discretes: Vec<f64>,
 }
 
 impl Oracle {
@@ -104,6 +105,7 @@ impl Oracle {
             evaluator,
             start: Vec::new(),
             discretes: Vec::new(),
+            first_discretes: Vec::new(),
         };
         for state in &self.equations.states {
             let value = prepared.evaluator.value(state.initial);
@@ -115,6 +117,7 @@ impl Oracle {
             let value = prepared.evaluator.value(discrete.initial);
             prepared.discretes.push(value);
         }
+        prepared.first_discretes = prepared.discretes.clone();
         prepared.set_discretes();
         Ok(prepared)
     }
@@ -171,6 +174,9 @@ impl Prepared<'_> {
     /// Goes from the start to a state in small steps, accepting each.
     pub fn follow(&mut self, time: f64, states: &[f64]) {
         let start = self.start.clone();
+        self.discretes = self.first_discretes.clone();
+        self.at(time, &start);
+        self.set_discretes();
         let largest = start
             .iter()
             .zip(states)

@@ -134,7 +134,7 @@ pub fn slider_crank() -> Equations {
     let start = g.integer(0);
 
     Equations {
-        name: "slider_crank".to_owned(),
+        name: "slider_crank_by_hand".to_owned(),
         doc: "A crank with a rod.".to_owned(),
         time,
         params: vec![r_param, l_param, m_param, k_param, f_param, beta_param],

@@ -7,10 +7,20 @@
 
 use std::collections::HashMap;
 
+use flexure_runtime::diagnostic::Diagnostic;
+
 use crate::model::BodyId;
+use crate::structure::Attachment;
 use crate::symbolic::Expr;
 
 use super::Derivation;
+
+/// Coordinates that one block of the inertia may have: its entries and their derivatives grow with
+/// the cube of their number.
+const MOST_COUPLED: usize = 24;
+
+/// Bodies between a body and ground.
+const MOST_IN_CHAIN: usize = 100;
 
 /// The kinetic energy, and M(q) as it follows from it.
 pub(crate) struct Inertia {
@@ -73,7 +83,11 @@ impl Products {
 
 impl Derivation<'_> {
     /// Collects the kinetic energy of all bodies.
-    pub(super) fn inertia(&mut self) -> Inertia {
+    ///
+    /// # Errors
+    /// More links in one chain, or coordinates in one block, than equations are written out for.
+    pub(super) fn inertia(&mut self) -> Result<Inertia, Vec<Diagnostic>> {
+        self.refuse_long_chains()?;
         let products = self.kinetic_products();
         let n = self.coordinates.len();
         let mut lines = Vec::new();
@@ -129,6 +143,16 @@ impl Derivation<'_> {
             .collect();
         self.section("Constants of the inertia", lines);
         let blocks = self.blocks(&matrix);
+        if let Some(block) = blocks.iter().find(|block| block.len() > MOST_COUPLED) {
+            let body = self.coordinates[block[MOST_COUPLED]].body;
+            return Err(vec![self.too_long(
+                format!(
+                    "{} coordinates are coupled by inertia, more than {MOST_COUPLED} are not compiled",
+                    block.len()
+                ),
+                body,
+            )]);
+        }
         let mut moved = vec![Vec::new(); n];
         let mut movers = HashMap::new();
         for (j, row) in matrix.iter().enumerate() {
@@ -144,12 +168,45 @@ impl Derivation<'_> {
                 }
             }
         }
-        Inertia {
+        Ok(Inertia {
             matrix,
             blocks,
             moved,
             movers,
+        })
+    }
+
+    /// A body that hangs on many others by links moves with the angles of all of them, and each
+    /// pair of them makes a product.
+    fn refuse_long_chains(&self) -> Result<(), Vec<Diagnostic>> {
+        for body in 0..self.model.bodies.len() {
+            let (mut at, mut length) = (body, 0);
+            loop {
+                at = match self.structure.attachments[at] {
+                    Attachment::Root => break,
+                    Attachment::Pinned { parent, .. } => parent,
+                    Attachment::Guided { carrier } => carrier,
+                    Attachment::Carried { slide } => slide,
+                };
+                length += 1;
+            }
+            if length > MOST_IN_CHAIN {
+                return Err(vec![self.too_long(
+                    format!(
+                        "`{}` hangs on ground by more than {MOST_IN_CHAIN} bodies, longer chains are not compiled",
+                        self.model.bodies[body].name
+                    ),
+                    body,
+                )]);
+            }
         }
+        Ok(())
+    }
+
+    fn too_long(&self, message: String, body: BodyId) -> Diagnostic {
+        Diagnostic::error(message)
+            .at(self.model.source.site(self.model.bodies[body].span))
+            .hint("lump links or slides together, or join the chain to ground in between")
     }
 
     /// Twice the kinetic energy, product by product: squares of rates first, in body order.

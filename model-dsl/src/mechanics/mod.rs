@@ -57,7 +57,7 @@ pub fn derive(model: &Model, structure: &Structure) -> Result<Equations, Vec<Dia
     derivation.close_loops();
     derivation.position_measures();
     derivation.drives();
-    let inertia = derivation.inertia();
+    let inertia = derivation.inertia()?;
     let laws = derivation.laws(&inertia);
     let motion = derivation.motion(&inertia, &laws);
     derivation.other_measures(&laws, &motion);

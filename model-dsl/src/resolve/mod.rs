@@ -17,6 +17,7 @@ mod drives;
 mod entries;
 mod expression;
 mod functions;
+mod given;
 mod links;
 mod loads;
 mod masses;
@@ -35,6 +36,7 @@ use std::collections::{HashMap, HashSet};
 
 use flexure_runtime::diagnostic::{Diagnostic, Severity, Site};
 
+use crate::expand::expand;
 use crate::model::{BodyId, Local, Measure, Model};
 use crate::source::{Source, Span};
 use crate::symbolic::{Expr, Symbol};
@@ -48,11 +50,14 @@ use names::Names;
 /// Returns the model and warnings, or all errors (with the warnings found on the way), in the order
 /// of the file.
 pub fn resolve(
-    source: Source,
+    mut source: Source,
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let (file, problems) = syntax::parse(&source.text);
+    let (file, mut problems) = syntax::parse(&source.text, 0);
+    let expanded = expand(file, &mut source, files);
+    problems.extend(expanded.problems);
     let mut resolver = Resolver::new(source, files);
+    resolver.model.files = expanded.files;
     for problem in problems {
         let mut diagnostic = Diagnostic::error(problem.message)
             .at(resolver.site(problem.span))
@@ -63,12 +68,15 @@ pub fn resolve(
         resolver.report(problem.span, diagnostic);
     }
     resolver.partial = resolver.failed();
-    resolver.run(&file);
+    resolver.run(&expanded.file);
     resolver.finish()
 }
 
 /// Most diagnostics that are reported for one file.
 const MOST_DIAGNOSTICS: usize = 50;
+
+/// Most parts and turns in each other that one diagnostic names.
+const MOST_LEVELS: usize = 6;
 
 /// Something of the file that failed was reported; carry on without it.
 struct Reported;
@@ -108,6 +116,8 @@ struct Resolver<'a> {
     /// Whether items are missing because they could not be read: names may then be unknown for
     /// that reason alone.
     partial: bool,
+    /// Written places of which a copy was reported, with the copy.
+    reported: HashMap<(Span, Severity), usize>,
 }
 
 impl<'a> Resolver<'a> {
@@ -124,6 +134,7 @@ impl<'a> Resolver<'a> {
             derived: HashSet::new(),
             measures: HashMap::new(),
             partial: false,
+            reported: HashMap::new(),
         }
     }
 
@@ -135,6 +146,9 @@ impl<'a> Resolver<'a> {
         self.inputs(file);
         self.lets(file);
         self.sets(file);
+        if self.parts_given(file).is_err() {
+            return;
+        }
         self.locate(file);
         self.links(file);
         self.points(file);
@@ -196,10 +210,24 @@ impl<'a> Resolver<'a> {
         self.diagnostics.len() > 2 * MOST_DIAGNOSTICS
     }
 
-    fn report(&mut self, span: Span, diagnostic: Diagnostic) {
-        if !self.full() {
-            self.diagnostics.push((span, diagnostic));
+    /// Reports once what is wrong in the same way with several copies of one place, and says with
+    /// which copy.
+    fn report(&mut self, span: Span, mut diagnostic: Diagnostic) {
+        if self.full() {
+            return;
         }
+        let within: Vec<(Span, String)> = self.model.source.within(span);
+        if let Some(copy) = self.model.source.copy(span) {
+            let written = self.model.source.written(span);
+            let key = (written, diagnostic.severity);
+            if *self.reported.entry(key).or_insert(copy) != copy {
+                return;
+            }
+        }
+        for (reason, label) in within.into_iter().take(MOST_LEVELS) {
+            diagnostic = diagnostic.related(self.site(reason), label);
+        }
+        self.diagnostics.push((span, diagnostic));
     }
 
     /// Reports an error; returns what stands for a failed result.
@@ -248,12 +276,7 @@ impl<'a> Resolver<'a> {
 
     /// The text that stands at `span`, blanks and line ends shortened.
     fn written(&self, span: Span) -> String {
-        let text = self
-            .model
-            .source
-            .text
-            .get(span.start..span.end)
-            .unwrap_or("");
+        let text = self.model.source.excerpt(span);
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 }

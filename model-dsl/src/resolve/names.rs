@@ -153,7 +153,13 @@ impl Resolver<'_> {
                 | ItemKind::Initials(_)
                 | ItemKind::Start(_)
                 | ItemKind::Coordinates(_)
-                | ItemKind::Stop(..) => {}
+                | ItemKind::Stop(..)
+                | ItemKind::Component(_)
+                | ItemKind::Repeat(_)
+                | ItemKind::Part(_)
+                | ItemKind::Use(_)
+                | ItemKind::Constants(_)
+                | ItemKind::Given(_) => {}
             }
         }
     }
@@ -216,7 +222,14 @@ impl Resolver<'_> {
             None if candidates.is_empty() || candidates.len() > 12 => otherwise.to_owned(),
             None => there_is(candidates),
         };
-        if self.partial && !hint.starts_with("did you mean") {
+        let inner = self.model.source.within(span);
+        let hint = match text.rsplit_once('.') {
+            Some((part, word)) if !inner.is_empty() && self.names.contains(word) => format!(
+                "a component sees only what it declares: give `{word}` to `{part}` as an argument"
+            ),
+            _ => hint,
+        };
+        if self.partial && (!hint.starts_with("did you mean") || !inner.is_empty()) {
             // It may be declared by an item that could not be read.
             return Reported;
         }

@@ -108,7 +108,15 @@ pub(super) fn names_in<'e>(expression: &'e Expression, visit: &mut dyn FnMut(&'e
 pub(super) fn names_in_item<'e>(item: &'e ItemKind, visit: &mut dyn FnMut(&'e str)) {
     let mut expressions: Vec<&'e Expression> = Vec::new();
     match item {
-        ItemKind::Model(_) | ItemKind::Coordinates(_) | ItemKind::Set(_) => {}
+        ItemKind::Model(_)
+        | ItemKind::Coordinates(_)
+        | ItemKind::Set(_)
+        | ItemKind::Component(_)
+        | ItemKind::Repeat(_)
+        | ItemKind::Part(_)
+        | ItemKind::Use(_)
+        | ItemKind::Constants(_)
+        | ItemKind::Given(_) => {}
         ItemKind::Params(list)
         | ItemKind::Lets(list)
         | ItemKind::Drives(list)

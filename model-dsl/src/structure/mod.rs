@@ -20,6 +20,10 @@ use flexure_runtime::diagnostic::Diagnostic;
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
 use search::Search;
 
+/// Links and slides that a model may have: equations of more would be longer than anyone reads,
+/// and their search for loops slower than anyone waits.
+pub const MOST_BODIES: usize = 1000;
+
 /// How the place of a body follows from that of another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Attachment {
@@ -250,6 +254,16 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
                 .hint("describe at least one `link` or `slide`"),
         ]);
     }
+    if let Some(body) = model.bodies.get(MOST_BODIES + 1) {
+        return Err(vec![
+            Diagnostic::error(format!(
+                "the model has {} bodies, more than {MOST_BODIES} are not compiled",
+                model.bodies.len() - 1
+            ))
+            .at(model.source.site(body.span))
+            .hint("lump links or slides together, or cut the model into several"),
+        ]);
+    }
     let components = components(model)?;
     let mut search = Search::new(model);
     let asked = asked(model, &components)?;
@@ -263,6 +277,7 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             .iter()
             .filter(|body| component.bodies.contains(body))
             .count() as i64;
+        search.look_at(&component.bodies);
         search.proceed()?;
         while !search.is_placed(&component.bodies) {
             let has_own = coordinates
@@ -272,7 +287,12 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
                 search.together(&component.bodies)?;
                 continue;
             }
-            let Some(next) = search.best_coordinate(&component.bodies, left - 1) else {
+            let next = if component.loops == 0 {
+                search.first_unknown(&component.bodies)
+            } else {
+                search.best_coordinate(&component.bodies, left - 1)
+            };
+            let Some(next) = next else {
                 break;
             };
             coordinates.push(next);
@@ -305,6 +325,8 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
 /// Bodies that hang together without ground.
 struct Component {
     bodies: Vec<BodyId>,
+    /// Independent loops.
+    loops: i64,
     /// Degrees of freedom by counting: variables less two for each loop.
     freedom: i64,
 }
@@ -379,7 +401,11 @@ fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
             .count();
         let loops = (pins + slides) as i64 - bodies.len() as i64;
         let freedom = bodies.len() as i64 - 2 * loops;
-        components.push(Component { bodies, freedom });
+        components.push(Component {
+            bodies,
+            loops,
+            freedom,
+        });
     }
     if errors.is_empty() {
         Ok(components)

@@ -17,6 +17,8 @@ pub(super) struct Search<'m> {
     placed: Vec<Option<Attachment>>,
     /// Distance from ground in bodies, by placed body.
     depth: Vec<usize>,
+    /// The bodies that are looked at, in their order, and the pins on them.
+    scope: (Vec<BodyId>, Vec<usize>),
     /// The pins on each body, in their order.
     pins_of: Vec<Vec<usize>>,
     /// The slides that run on each body, and each slide itself, in their order.
@@ -75,6 +77,7 @@ impl<'m> Search<'m> {
         guides_of.iter_mut().for_each(|ids| ids.sort_unstable());
         let mut search = Self {
             model,
+            scope: ((0..count).collect(), (0..model.pins.len()).collect()),
             pins_of,
             guides_of,
             known: vec![false; count],
@@ -91,6 +94,17 @@ impl<'m> Search<'m> {
         search.known[GROUND] = true;
         search.placed[GROUND] = Some(Attachment::Root);
         search
+    }
+
+    /// Looks only at these bodies, which nothing but ground joins to others.
+    pub(super) fn look_at(&mut self, bodies: &[BodyId]) {
+        let mut pins: Vec<usize> = bodies
+            .iter()
+            .flat_map(|body| self.pins_of[*body].iter().copied())
+            .collect();
+        pins.sort_unstable();
+        pins.dedup();
+        self.scope = (bodies.to_vec(), pins);
     }
 
     /// A variable is known from now on.
@@ -148,13 +162,17 @@ impl<'m> Search<'m> {
 
     fn next_placement(&self) -> Option<Placement> {
         let mut offers = Vec::new();
-        for (index, pin) in self.model.pins.iter().enumerate() {
+        for &index in &self.scope.1 {
+            let pin = &self.model.pins[index];
             for (a, (parent, there)) in pin.members.iter().enumerate() {
                 if self.placed[*parent].is_none() {
                     continue;
                 }
                 for (b, (body, here)) in pin.members.iter().enumerate() {
-                    if self.placed[*body].is_some() || !self.angle_known(*body) {
+                    if self.placed[*body].is_some()
+                        || !self.angle_known(*body)
+                        || self.scope.0.binary_search(body).is_err()
+                    {
                         continue;
                     }
                     // A slide is placed by a pin only where its own guide does not do it.
@@ -176,8 +194,8 @@ impl<'m> Search<'m> {
                 }
             }
         }
-        for (id, body) in self.model.bodies.iter().enumerate() {
-            let BodyKind::Slide(slide) = &body.kind else {
+        for &id in &self.scope.0 {
+            let BodyKind::Slide(slide) = &self.model.bodies[id].kind else {
                 continue;
             };
             let carrier = slide.carrier;
@@ -219,14 +237,18 @@ impl<'m> Search<'m> {
     /// The shortest way from placed to placed over unplaced bodies with at most `limit` unknowns.
     fn shortest_way(&self, limit: usize) -> Option<Front> {
         let mut queue: VecDeque<Front> = VecDeque::new();
-        for (index, pin) in self.model.pins.iter().enumerate() {
+        for &index in &self.scope.1 {
+            let pin = &self.model.pins[index];
             // From each pin the way starts on one placed body: they all stand in the same place.
             let Some(a) = (0..pin.members.len()).find(|m| self.placed[pin.members[*m].0].is_some())
             else {
                 continue;
             };
             for (b, (body, enter)) in pin.members.iter().enumerate() {
-                if self.placed[*body].is_none() && self.ties[index][a] != self.ties[index][b] {
+                if self.placed[*body].is_none()
+                    && self.ties[index][a] != self.ties[index][b]
+                    && self.scope.0.binary_search(body).is_ok()
+                {
                     queue.push_back(Front {
                         start: pin.members[a],
                         legs: Vec::new(),
@@ -240,8 +262,8 @@ impl<'m> Search<'m> {
                 }
             }
         }
-        for (id, body) in self.model.bodies.iter().enumerate() {
-            let BodyKind::Slide(slide) = &body.kind else {
+        for &id in &self.scope.0 {
+            let BodyKind::Slide(slide) = &self.model.bodies[id].kind else {
                 continue;
             };
             if self.placed[slide.carrier].is_some() && self.placed[id].is_none() {
@@ -403,6 +425,11 @@ impl<'m> Search<'m> {
             },
             _ => Step::Redundant { way, unknown: None },
         });
+    }
+
+    /// The first of `bodies` in the file whose variable is not known.
+    pub(super) fn first_unknown(&self, bodies: &[BodyId]) -> Option<BodyId> {
+        bodies.iter().copied().find(|body| !self.known[*body])
     }
 
     /// The coordinate among `bodies` after which everything closes in closed form, the first in

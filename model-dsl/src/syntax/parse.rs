@@ -5,8 +5,8 @@ use pest::Parser;
 use super::grammar::{Grammar, Rule};
 use super::problem::{Problem, explain, unknown_item};
 use super::reader::{Parsed, Reader};
-use super::split::split;
-use super::tree::{File, Item};
+use super::split::{DEEPEST_BLOCK, Role, split};
+use super::tree::{Component, File, Item, ItemKind, Repeat};
 use crate::source::Span;
 
 /// The kinds of items: keyword, rule, how one is written.
@@ -81,6 +81,23 @@ const ITEMS: &[(&str, Rule, &str)] = &[
         "output NAME = VALUE \"meaning\"",
     ),
     ("stop", Rule::stop_item, "stop when CONDITION \"reason\""),
+    (
+        "component",
+        Rule::component_item,
+        "component NAME(PARAMETER: KIND, …) { … }",
+    ),
+    (
+        "repeat",
+        Rule::repeat_item,
+        "repeat NAME from WHOLE NUMBER to WHOLE NUMBER { … }",
+    ),
+    (
+        "part",
+        Rule::part_item,
+        "part NAME = COMPONENT(PARAMETER = VALUE, …) at POINT = PLACE, …",
+    ),
+    ("use", Rule::use_item, "use \"FILE.flex\""),
+    ("const", Rule::const_item, "const NAME = WHOLE NUMBER"),
 ];
 
 /// The words that start items.
@@ -103,37 +120,83 @@ const LONGEST_ITEM: usize = 256 << 10;
 /// Most problems that are listed.
 const MOST_PROBLEMS: usize = 50;
 
-/// Reads a file: the items that could be read, and what is wrong with the others.
-pub fn parse(text: &str) -> (File, Vec<Problem>) {
+/// Reads a file: the items that could be read, and what is wrong with the others. Places count from
+/// `base`.
+pub fn parse(text: &str, base: usize) -> (File, Vec<Problem>) {
     if text.len() > LARGEST_FILE {
         let problem = Problem::new(
             format!("this file is larger than {} MiB", LARGEST_FILE >> 20),
-            Span::default(),
+            Span::new(base, base),
             "a model file is a few pages; tables of data belong in a CSV file",
         );
         return (File::default(), vec![problem]);
     }
     let split = split(text);
-    let mut file = File {
-        doc: split.doc,
-        items: Vec::with_capacity(split.pieces.len()),
-    };
-    let mut problems = split.problems;
-    for piece in &split.pieces {
-        if problems.len() >= MOST_PROBLEMS {
-            break;
+    let mut problems: Vec<Problem> = split.problems;
+    for problem in &mut problems {
+        problem.span = problem.span.shifted(base);
+        for (span, _) in &mut problem.related {
+            *span = span.shifted(base);
         }
-        match item(&piece.text, piece.span) {
-            Ok(item) => file.items.push(item),
-            Err(problem) => problems.push(*problem),
+    }
+    // Items that hold items, with what they hold so far; the file itself comes first. One that
+    // could not be read is dropped with its contents.
+    let mut open: Vec<(Option<Item>, Vec<Item>)> = vec![(None, Vec::new())];
+    for piece in &split.pieces {
+        let span = piece.span.shifted(base);
+        if piece.role == Role::Closes {
+            let (Some((header, items)), Some((_, outer))) = closed(&mut open) else {
+                continue;
+            };
+            outer.extend(header.map(|header| with_items(header, items, span.end)));
+            continue;
+        }
+        let read = if problems.len() >= MOST_PROBLEMS {
+            None
+        } else {
+            match item(&piece.text, span, piece.role) {
+                Ok(item) => Some(item),
+                Err(problem) => {
+                    problems.push(*problem);
+                    None
+                }
+            }
+        };
+        match (piece.role, open.last_mut()) {
+            (Role::Opens, _) => open.push((read.filter(|_| open.len() <= DEEPEST_BLOCK), vec![])),
+            (_, Some((_, items))) => items.extend(read),
+            (_, None) => {}
         }
     }
     problems.sort_by_key(|problem| problem.span);
     problems.truncate(MOST_PROBLEMS);
+    let file = File {
+        doc: split.doc,
+        items: open.into_iter().next().unwrap_or_default().1,
+    };
     (file, problems)
 }
 
-fn item(text: &str, span: Span) -> Parsed<Item> {
+type Open = (Option<Item>, Vec<Item>);
+
+/// The innermost open item, taken, and the one that holds it.
+fn closed(open: &mut Vec<Open>) -> (Option<Open>, Option<&mut Open>) {
+    let last = if open.len() > 1 { open.pop() } else { None };
+    (last, open.last_mut())
+}
+
+fn with_items(mut header: Item, inner: Vec<Item>, end: usize) -> Item {
+    match &mut header.kind {
+        ItemKind::Component(Component { items, .. }) | ItemKind::Repeat(Repeat { items, .. }) => {
+            *items = inner;
+        }
+        _ => {}
+    }
+    header.span.end = end;
+    header
+}
+
+fn item(text: &str, span: Span, role: Role) -> Parsed<Item> {
     let word_end = text
         .find(|c: char| !c.is_alphanumeric() && c != '_')
         .unwrap_or(text.len());
@@ -159,6 +222,13 @@ fn item(text: &str, span: Span) -> Parsed<Item> {
             format!("this item is longer than {} KiB", LONGEST_ITEM >> 10),
             word_span,
             "tables of data belong in a CSV file",
+        )));
+    }
+    if role == Role::Item && matches!(keyword, "component" | "repeat") {
+        return Err(Box::new(Problem::new(
+            format!("this `{keyword}` has no braces"),
+            word_span,
+            format!("it is written `{form}`"),
         )));
     }
     let pair = Grammar::parse(rule, text)

@@ -89,7 +89,11 @@ pub(super) fn explain(
     let span = Span::new(base + start, base + end.max(start + width));
     let next = text[start..].chars().next();
     let after_digit = text[..start].ends_with(|c: char| c.is_ascii_digit());
-    if next == Some('.') && after_digit {
+    let digit_follows = text[start..]
+        .chars()
+        .nth(1)
+        .is_some_and(|c| c.is_ascii_digit());
+    if next == Some('.') && after_digit && !digit_follows {
         let message = "a decimal point needs a digit after it";
         return Problem::new(message, span, "write `3` or `3.0`");
     }
@@ -118,6 +122,18 @@ pub(super) fn explain(
     if expected.len() > 1 {
         expected.retain(|words| *words != "words in quotation marks");
     }
+    if expected.contains(&"a whole number")
+        && let Some(digits) = text[start..].strip_prefix(|c: char| c.is_ascii_digit())
+        && digits.contains('.')
+    {
+        let number: String = text[start..]
+            .chars()
+            .take_while(|c| c.is_ascii_digit() || *c == '.')
+            .collect();
+        let span = Span::new(base + start, base + start + number.len());
+        let message = format!("`{number}` is no whole number");
+        return Problem::new(message, span, format!("it is written `{form}`"));
+    }
     let message = match expected.as_slice() {
         [] => format!("this `{keyword}` cannot be read from {found} on"),
         [one] => format!("{one} is expected here, not {found}"),
@@ -134,7 +150,14 @@ pub(super) fn explain(
 /// What a rule is called in messages; `None` for rules that would not help.
 fn describe(rule: Rule) -> Option<&'static str> {
     Some(match rule {
-        Rule::name | Rule::path | Rule::keyword | Rule::entry_at => "a name",
+        Rule::name | Rule::label | Rule::dotted | Rule::path | Rule::keyword | Rule::entry_at => {
+            "a name"
+        }
+        Rule::whole | Rule::index => "a whole number",
+        Rule::parameter => "a parameter `NAME: KIND`",
+        Rule::constant => "`NAME = WHOLE NUMBER`",
+        Rule::binding => "`POINT = PLACE`",
+        Rule::bindings => "`at`",
         Rule::text | Rule::words => "words in quotation marks",
         Rule::literal
         | Rule::number

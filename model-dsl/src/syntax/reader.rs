@@ -184,6 +184,33 @@ impl Reader {
             Rule::coordinate_item => {
                 ItemKind::Coordinates(parts.map(|pair| self.path(pair)).collect())
             }
+            Rule::component_item => ItemKind::Component(Component {
+                name: self.name(&next()),
+                parameters: match parts.next() {
+                    Some(pair) => self.parameters(pair)?,
+                    None => Vec::new(),
+                },
+                items: Vec::new(),
+            }),
+            Rule::repeat_item => ItemKind::Repeat(Repeat {
+                counter: self.name(&next()),
+                from: self.name(&next()),
+                to: self.name(&next()),
+                items: Vec::new(),
+            }),
+            Rule::part_item => self.part(parts)?,
+            Rule::use_item => ItemKind::Use(UsedFile {
+                path: doc.unwrap_or_default(),
+            }),
+            Rule::const_item => ItemKind::Constants(
+                parts
+                    .map(|constant| {
+                        let mut inner = constant.into_inner();
+                        let mut next = || self.name(&inner.next().expect("the grammar demands it"));
+                        (next(), next())
+                    })
+                    .collect(),
+            ),
             _ => ItemKind::Stop(self.expression(next())?, doc),
         })
     }
@@ -258,6 +285,48 @@ impl Reader {
         Ok(slide)
     }
 
+    fn parameters(&mut self, pair: Pair<'_, Rule>) -> Parsed<Vec<Parameter>> {
+        let mut parameters = Vec::new();
+        for parameter in pair.into_inner() {
+            let mut inner = parameter.into_inner();
+            let mut next = || inner.next().expect("the grammar demands it");
+            let (name, kind) = (self.name(&next()), self.name(&next()));
+            let default = match inner.next() {
+                Some(value) => Some(self.expression(value)?),
+                None => None,
+            };
+            parameters.push(Parameter {
+                name,
+                kind,
+                default,
+            });
+        }
+        Ok(parameters)
+    }
+
+    fn part<'a>(&mut self, mut parts: impl Iterator<Item = Pair<'a, Rule>>) -> Parsed<ItemKind> {
+        let mut next = || parts.next().expect("the grammar demands it");
+        let mut part = Part {
+            name: self.name(&next()),
+            component: self.name(&next()),
+            arguments: Vec::new(),
+            bindings: Vec::new(),
+        };
+        for pair in parts {
+            if pair.as_rule() == Rule::arguments {
+                part.arguments = self.arguments(pair)?;
+                continue;
+            }
+            for binding in inner(pair) {
+                let mut inner = binding.into_inner();
+                let mut next = || inner.next().expect("the grammar demands it");
+                let point = self.name(&next());
+                part.bindings.push((point, self.path(next())));
+            }
+        }
+        Ok(ItemKind::Part(part))
+    }
+
     fn clause(&mut self, pair: Pair<'_, Rule>) -> Parsed<Expression> {
         let value = inner(pair).next().expect("the grammar demands it");
         self.expression(value)
@@ -266,7 +335,7 @@ impl Reader {
     fn two_names(&self, pair: Pair<'_, Rule>) -> (Name, Name) {
         let mut names = pair
             .into_inner()
-            .filter(|part| part.as_rule() == Rule::name);
+            .filter(|part| part.as_rule() == Rule::dotted);
         let mut next = || self.name(&names.next().expect("the grammar demands it"));
         (next(), next())
     }
@@ -288,7 +357,7 @@ impl Reader {
             let mut exact = None;
             for part in inner(entry) {
                 match part.as_rule() {
-                    Rule::name => name = Some(self.name(&part)),
+                    Rule::label => name = Some(self.name(&part)),
                     Rule::entry_at => at = Some(self.name(&part)),
                     Rule::kw_exact => exact = Some(self.span(&part)),
                     _ => value = Some(self.value(part)?),

@@ -13,12 +13,31 @@ use super::problem::Problem;
 /// Deepest nesting of brackets and conditionals.
 pub(super) const DEEPEST: usize = 64;
 
+/// Deepest nesting of items in items.
+pub(super) const DEEPEST_BLOCK: usize = 16;
+
+/// Words whose braces hold items.
+const BLOCKS: [&str; 2] = ["component", "repeat"];
+
 /// One item's text.
 pub(super) struct Piece {
     /// Its place.
     pub span: Span,
     /// Its text, of the same length: comments are blanks, idle line ends are form feeds.
     pub text: String,
+    /// What it does to the items that follow.
+    pub role: Role,
+}
+
+/// What a piece does to the items that follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// Nothing.
+    Item,
+    /// It starts an item that holds them.
+    Opens,
+    /// It ends that item; it has no text.
+    Closes,
 }
 
 /// The pieces of a file.
@@ -39,6 +58,7 @@ pub(super) fn split(text: &str) -> Split {
         start: None,
         clean: String::new(),
         open: Vec::new(),
+        blocks: Vec::new(),
         last: None,
         conditionals: 0,
         refused: false,
@@ -62,6 +82,8 @@ struct Splitter<'a> {
     clean: String,
     /// Open brackets with their places.
     open: Vec<(char, usize)>,
+    /// Places of the braces of items that hold items.
+    blocks: Vec<usize>,
     /// Last character that means something; a line end if that separates.
     last: Option<char>,
     /// Number of `if` in the present item.
@@ -93,7 +115,31 @@ impl<'a> Splitter<'a> {
                 c => self.keep(at, c, true),
             };
         }
-        self.finish();
+        self.finish(Role::Item);
+        if let Some(&at) = self.blocks.first() {
+            self.problems.push(Problem::new(
+                "`{` is never closed",
+                Span::new(at, at + 1),
+                "add the missing `}` after the last item that belongs here",
+            ));
+        }
+        for _ in std::mem::take(&mut self.blocks) {
+            self.close_block(self.text.len());
+        }
+    }
+
+    fn close_block(&mut self, at: usize) {
+        self.pieces.push(Piece {
+            span: Span::new(at, at),
+            text: String::new(),
+            role: Role::Closes,
+        });
+    }
+
+    /// Whether a brace after the present text holds items.
+    fn holds_items(&self) -> bool {
+        let end = self.clean.find(|c| !is_word(c)).unwrap_or(self.clean.len());
+        self.start.is_some() && self.open.is_empty() && BLOCKS.contains(&&self.clean[..end])
     }
 
     fn keep(&mut self, at: usize, c: char, matters: bool) -> usize {
@@ -135,7 +181,7 @@ impl<'a> Splitter<'a> {
         let end = rest.find(|c| !is_word(c)).unwrap_or(rest.len());
         let word = &rest[..end];
         if self.start.is_some() && self.starts_item(at, rest, word) {
-            self.finish();
+            self.finish(Role::Item);
         }
         self.begin(at);
         if word == "if" {
@@ -209,6 +255,18 @@ impl<'a> Splitter<'a> {
     }
 
     fn opening(&mut self, at: usize, c: char) -> usize {
+        if c == '{' && self.holds_items() {
+            if self.blocks.len() == DEEPEST_BLOCK {
+                self.problems.push(Problem::new(
+                    format!("items stand in items more than {DEEPEST_BLOCK} levels deep"),
+                    Span::new(at, at + 1),
+                    "make a component of the inner ones",
+                ));
+            }
+            self.blocks.push(at);
+            self.finish(Role::Opens);
+            return 1;
+        }
         self.begin(at);
         self.open.push((c, at));
         self.check_depth(at, at + 1);
@@ -216,6 +274,11 @@ impl<'a> Splitter<'a> {
     }
 
     fn closing(&mut self, at: usize, c: char) -> usize {
+        if c == '}' && self.open.is_empty() && self.blocks.pop().is_some() {
+            self.finish(Role::Item);
+            self.close_block(at + 1);
+            return 1;
+        }
         let opening = if c == ')' { '(' } else { '{' };
         match self.open.last() {
             Some(&(open, _)) if open == opening => {
@@ -274,7 +337,7 @@ impl<'a> Splitter<'a> {
             self.clean.push('\u{C}');
             self.last = Some('\n');
         } else if self.open.is_empty() {
-            self.finish();
+            self.finish(Role::Item);
         } else {
             self.clean.push('\n');
             self.last = Some('\n');
@@ -300,7 +363,7 @@ impl<'a> Splitter<'a> {
         self.refused = true;
     }
 
-    fn finish(&mut self) {
+    fn finish(&mut self, role: Role) {
         if let Some(&(c, at)) = self.open.first() {
             let closing = if c == '(' { ')' } else { '}' };
             self.refuse(Problem::new(
@@ -313,10 +376,12 @@ impl<'a> Splitter<'a> {
         if let Some(start) = self.start.take() {
             let text = std::mem::take(&mut self.clean);
             let kept = text.trim_end().len();
-            if !self.refused {
+            // What opens is kept, so that what closes it has its partner.
+            if !self.refused || role == Role::Opens {
                 self.pieces.push(Piece {
                     span: Span::new(start, start + kept),
                     text: text[..kept].to_owned(),
+                    role,
                 });
             }
         }

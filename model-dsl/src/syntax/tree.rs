@@ -14,7 +14,8 @@ pub struct File {
 /// A word with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The word.
+    /// The word; with indices and dots as written (`up[i+1].web`) until [`expand`](crate::expand)
+    /// has made one word of it.
     pub text: String,
     /// Where.
     pub span: Span,
@@ -101,6 +102,87 @@ pub enum ItemKind {
     Coordinates(Vec<Path>),
     /// `stop when condition "reason"`
     Stop(Expression, Option<String>),
+    /// `component name(parameters) { items }`
+    Component(Component),
+    /// `repeat i from 1 to N { items }`
+    Repeat(Repeat),
+    /// `part name = component(arguments) at P = place`
+    Part(Part),
+    /// `use "file.flex"`
+    Use(UsedFile),
+    /// `const N = 40`
+    Constants(Vec<(Name, Name)>),
+    /// What a part's parameter was given has to be of its kind; made by
+    /// [`expand`](crate::expand).
+    Given(Given),
+}
+
+/// `component name(parameters) { items }`
+#[derive(Clone, Debug)]
+pub struct Component {
+    /// Name.
+    pub name: Name,
+    /// Quantities that a part has to give.
+    pub parameters: Vec<Parameter>,
+    /// What stands in braces.
+    pub items: Vec<Item>,
+}
+
+/// `thickness: length = 0.3 mm`
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Name.
+    pub name: Name,
+    /// Kind of quantity, or a unit.
+    pub kind: Name,
+    /// Value where a part gives none.
+    pub default: Option<Expression>,
+}
+
+/// `repeat i from 1 to N { items }`
+#[derive(Clone, Debug)]
+pub struct Repeat {
+    /// The counter.
+    pub counter: Name,
+    /// First value, a whole number as written.
+    pub from: Name,
+    /// Last value, a whole number as written.
+    pub to: Name,
+    /// What stands in braces.
+    pub items: Vec<Item>,
+}
+
+/// `part name = component(arguments) at P = place`
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Name.
+    pub name: Name,
+    /// Name of the component.
+    pub component: Name,
+    /// Values of parameters.
+    pub arguments: Vec<Argument>,
+    /// Points of the component that are points outside.
+    pub bindings: Vec<(Name, Path)>,
+}
+
+/// `use "file.flex"`
+#[derive(Clone, Debug)]
+pub struct UsedFile {
+    /// Path as written.
+    pub path: String,
+}
+
+/// What a part's parameter was given.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// The part.
+    pub part: String,
+    /// The parameter.
+    pub parameter: Name,
+    /// Its kind of quantity, or a unit.
+    pub kind: Name,
+    /// What it was given.
+    pub value: Expression,
 }
 
 /// `name = value "doc"`

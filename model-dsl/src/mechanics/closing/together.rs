@@ -26,6 +26,9 @@ const STEPS: usize = 5;
 /// Residual in parts of the loops' size that counts as closed.
 const TOLERANCE: (i64, i64) = (1, 1_000_000_000_000);
 
+/// Intermediate values that got names, in order.
+type Made = Vec<(Symbol, Expr)>;
+
 /// Factors L and U of a matrix with rows and columns in a chosen order.
 struct Factors {
     rows: Vec<usize>,
@@ -224,6 +227,7 @@ impl Derivation<'_> {
             .iter()
             .map(|unknown| self.turn_reference(unknown))
             .collect();
+        let mut made = Made::new();
         for step in 1..=STEPS {
             let map = self.trial_map(unknowns, &shifts);
             let entries: Vec<Vec<Expr>> = jacobian
@@ -239,8 +243,8 @@ impl Derivation<'_> {
                 .map(|residual| self.g.substitute(*residual, &map))
                 .collect();
             let prefix = format!("{index}_{step}");
-            let factors = self.factor(&entries, order, &prefix);
-            let change = self.solve(&factors, &right);
+            let factors = self.factor(&entries, order, &prefix, &mut made);
+            let change = self.solve(&factors, &right, &prefix, &mut made);
             shifts = shifts
                 .iter()
                 .zip(change)
@@ -248,7 +252,7 @@ impl Derivation<'_> {
                 .map(|((shift, change), unknown)| {
                     let value = self.g.sub(*shift, change);
                     let name = format!("Δ{}_{step}", unknown.name);
-                    self.named_varying(&name, value)
+                    self.named_varying(&name, value, &mut made)
                 })
                 .collect();
         }
@@ -262,7 +266,7 @@ impl Derivation<'_> {
         let tolerance = self.g.ratio(TOLERANCE.0, TOLERANCE.1);
         let allowed = self.g.mul(tolerance, size);
         let margin = self.g.sub(allowed, worst);
-        let closed = self.named_varying(&format!("closed{index}"), margin);
+        let closed = self.named_varying(&format!("closed{index}"), margin, &mut made);
         let minus = self.g.integer(-1);
         let invalid = self.g.sqrt(minus);
         for (unknown, shift) in unknowns.iter().zip(shifts) {
@@ -298,14 +302,29 @@ impl Derivation<'_> {
             .collect()
     }
 
-    fn named_varying(&mut self, name: &str, value: Expr) -> Expr {
+    fn named_varying(&mut self, name: &str, value: Expr, made: &mut Made) -> Expr {
         if self.g.as_symbol(value).is_some() || self.g.as_number(value).is_some() {
             return value;
         }
         let symbol = self.names.symbol(&mut self.g, name);
         self.g.mark_varying(symbol);
         self.define(symbol, value, "");
+        made.push((symbol, value));
         self.g.of(symbol)
+    }
+
+    /// Lines for what was named since the last call.
+    fn made_lines(&mut self, made: &mut Made, lines: &mut Vec<Line>) {
+        for (symbol, value) in made.drain(..) {
+            self.equation_line(lines, symbol, value, "");
+        }
+    }
+
+    /// What tells the names that belong to one coordinate from those of others.
+    fn coordinate_name(&self, coordinate: usize) -> String {
+        self.model.bodies[self.coordinates[coordinate].body]
+            .name
+            .clone()
     }
 
     /// L U without pivoting, in the given order of rows and columns.
@@ -314,6 +333,7 @@ impl Derivation<'_> {
         matrix: &[Vec<Expr>],
         order: (&[usize], &[usize]),
         prefix: &str,
+        made: &mut Made,
     ) -> Factors {
         let (rows, columns) = (order.0.to_vec(), order.1.to_vec());
         let size = rows.len();
@@ -330,11 +350,11 @@ impl Derivation<'_> {
                 let value = self.g.sum(&terms);
                 if j < i {
                     let value = self.g.div(value, upper[j][j]);
-                    lower[i][j] =
-                        self.named_varying(&format!("L{prefix}_{}_{}", i + 1, j + 1), value);
+                    let name = format!("L{prefix}_{}_{}", i + 1, j + 1);
+                    lower[i][j] = self.named_varying(&name, value, made);
                 } else {
-                    upper[i][j] =
-                        self.named_varying(&format!("U{prefix}_{}_{}", i + 1, j + 1), value);
+                    let name = format!("U{prefix}_{}_{}", i + 1, j + 1);
+                    upper[i][j] = self.named_varying(&name, value, made);
                 }
             }
         }
@@ -346,7 +366,14 @@ impl Derivation<'_> {
         }
     }
 
-    fn solve(&mut self, factors: &Factors, right: &[Expr]) -> Vec<Expr> {
+    /// Solves L U x = right; values on the way are named, so that each is written once.
+    fn solve(
+        &mut self,
+        factors: &Factors,
+        right: &[Expr],
+        prefix: &str,
+        made: &mut Made,
+    ) -> Vec<Expr> {
         let size = right.len();
         let mut solution: Vec<Expr> = Vec::with_capacity(size);
         for i in 0..size {
@@ -356,7 +383,8 @@ impl Derivation<'_> {
                 terms.push(self.g.neg(product));
             }
             let value = self.g.sum(&terms);
-            solution.push(value);
+            let name = format!("y{prefix}_{}", i + 1);
+            solution.push(self.named_varying(&name, value, made));
         }
         for i in (0..size).rev() {
             let mut terms = vec![solution[i]];
@@ -365,7 +393,14 @@ impl Derivation<'_> {
                 terms.push(self.g.neg(product));
             }
             let value = self.g.sum(&terms);
-            solution[i] = self.g.div(value, factors.upper[i][i]);
+            let value = self.g.div(value, factors.upper[i][i]);
+            // The last one found, the first unknown, is used nowhere else here.
+            let name = format!("x{prefix}_{}", i + 1);
+            solution[i] = if i == 0 {
+                value
+            } else {
+                self.named_varying(&name, value, made)
+            };
         }
         let mut ordered = vec![self.g.zero(); size];
         for (value, column) in solution.into_iter().zip(&factors.columns) {
@@ -386,14 +421,18 @@ impl Derivation<'_> {
         let residuals: Vec<Expr> = sums.iter().flat_map(|sum| self.position(sum)).collect();
         let symbols: Vec<Symbol> = unknowns.iter().map(|unknown| unknown.symbol).collect();
         let jacobian = self.jacobian(&residuals, &symbols);
-        let factors = self.factor(&jacobian, order, index);
+        let mut named = Made::new();
+        let factors = self.factor(&jacobian, order, index, &mut named);
+        self.made_lines(&mut named, lines);
         let mut right = Vec::new();
         let mut made: Vec<Vec<Option<Symbol>>> = Vec::new();
         for coordinate in 0..self.coordinates.len() {
             // Unknowns have no rates yet: this is the part that the known ones move.
             let moved = self.along(&residuals, coordinate);
             let values: Vec<Expr> = moved.iter().map(|value| self.g.neg(*value)).collect();
-            let rates = self.solve(&factors, &values);
+            let prefix = format!("{index}_{}", self.coordinate_name(coordinate));
+            let rates = self.solve(&factors, &values, &prefix, &mut named);
+            self.made_lines(&mut named, lines);
             right.push(values);
             let mut symbols = Vec::new();
             for (unknown, rate) in unknowns.iter().zip(rates) {
@@ -433,7 +472,10 @@ impl Derivation<'_> {
                     }
                     values.push(self.g.sum(&terms));
                 }
-                let seconds = self.solve(&factors, &values);
+                let [one, two] = [coordinate, other].map(|c| self.coordinate_name(c));
+                let prefix = format!("{index}_{one}_{two}");
+                let seconds = self.solve(&factors, &values, &prefix, &mut named);
+                self.made_lines(&mut named, lines);
                 for (symbol, second) in symbols.iter().zip(seconds) {
                     if let Some(symbol) = symbol {
                         self.second_rate(*symbol, other, second, lines);
