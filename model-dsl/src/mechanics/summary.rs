@@ -110,37 +110,27 @@ impl Derivation<'_> {
             Vec::new(),
         );
         let mut closed = Vec::new();
-        for link in self.structure.steps.iter().flat_map(|step| step.unknowns()) {
-            let variable = self.variable(link).clone();
-            let BodyKind::Link(shape) = &self.model.bodies[link].kind else {
-                continue;
+        for body in self.structure.steps.iter().flat_map(|step| step.unknowns()) {
+            let assembled = self.variable(body).assembled;
+            let (measure, what, unit, guess) = match &self.model.bodies[body].kind {
+                BodyKind::Link(link) => ("angle", "angle", ShownUnit::Degree, link.angle.value),
+                BodyKind::Slide(slide) => ("x", "position", ShownUnit::Metre, slide.at.value),
+                BodyKind::Ground => continue,
             };
-            let name = self.model.bodies[link].name.clone();
-            closed.push(match shape.angle.value {
-                Some(guess) => {
-                    let off = self.g.sub(variable.assembled, guess);
-                    let values = vec![
-                        (variable.assembled, ShownUnit::Degree),
-                        (off, ShownUnit::Degree),
-                    ];
-                    (
-                        format!("{name}.angle closes at {{0}}, {{1}} from the drawn angle"),
-                        values,
-                    )
-                }
-                None => (
-                    format!("{name}.angle closes at {{0}}"),
-                    vec![(variable.assembled, ShownUnit::Degree)],
-                ),
-            });
-        }
-        for (words, values) in closed {
-            facts.push(Fact {
-                subject: "closed angle".to_owned(),
+            let mut words = format!("{}.{measure} closes at {{0}}", self.model.bodies[body].name);
+            let mut values = vec![(assembled, unit)];
+            if let Some(guess) = guess {
+                let off = self.g.sub(assembled, guess);
+                words.push_str(&format!(", {{1}} from the drawn {what}"));
+                values.push((off, unit));
+            }
+            closed.push(Fact {
+                subject: format!("closed {what}"),
                 words,
                 values,
             });
         }
+        facts.extend(closed);
         for note in &self.model.notes {
             facts.push(Fact {
                 subject: "assumed".to_owned(),
