@@ -1000,7 +1000,7 @@ pub mod andrews {
         let rr_sin_β = p.rr * sin_β;
         let Y1 = p.yb - rr_sin_β;
         let rr_cos_β = p.rr * cos_β;
-        // vector that what closes crank–coupler–lever has to span
+        // vector that is left to close crank–coupler–lever
         let X1 = p.xb - rr_cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1030,7 +1030,7 @@ pub mod andrews {
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -t3;
         let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that what closes crank–coupler–upper–upper_arm has to span
+        // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1215,7 +1215,7 @@ pub mod andrews {
         let rr_sin_β = p.rr * sin_β;
         let Y1 = p.yb - rr_sin_β;
         let rr_cos_β = p.rr * cos_β;
-        // vector that what closes crank–coupler–lever has to span
+        // vector that is left to close crank–coupler–lever
         let X1 = p.xb - rr_cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1246,7 +1246,7 @@ pub mod andrews {
         let ω3 = -t3;
         let ω3_squared = ω3 * ω3;
         let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that what closes crank–coupler–upper–upper_arm has to span
+        // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1592,7 +1592,7 @@ pub mod andrews {
         let rr_sin_β = p.rr * sin_β;
         let Y1 = p.yb - rr_sin_β;
         let rr_cos_β = p.rr * cos_β;
-        // vector that what closes crank–coupler–lever has to span
+        // vector that is left to close crank–coupler–lever
         let X1 = p.xb - rr_cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1622,7 +1622,7 @@ pub mod andrews {
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that what closes crank–coupler–upper–upper_arm has to span
+        // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1748,7 +1748,7 @@ pub mod andrews {
         let rr_sin_β = p.rr * sin_β;
         let Y1 = p.yb - rr_sin_β;
         let rr_cos_β = p.rr * cos_β;
-        // vector that what closes crank–coupler–lever has to span
+        // vector that is left to close crank–coupler–lever
         let X1 = p.xb - rr_cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1776,7 +1776,7 @@ pub mod andrews {
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -(p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2));
         let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that what closes crank–coupler–upper–upper_arm has to span
+        // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1892,7 +1892,7 @@ pub mod andrews {
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
         let rr_cos_β = p.rr * cos_β;
-        // vector that what closes crank–coupler–lever has to span
+        // vector that is left to close crank–coupler–lever
         let X1 = p.xb - rr_cos_β;
         let rr_sin_β = p.rr * sin_β;
         let Y1 = p.yb - rr_sin_β;
@@ -1902,7 +1902,7 @@ pub mod andrews {
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let η1 = p.half_s1 * (per_D1 * (-t1).sqrt());
-        // vector that what closes crank–coupler–upper–upper_arm has to span
+        // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * (p.per_d * (X1 * κ1 - Y1 * η1));
         let Y2 = p.ya - rr_sin_β - p.d * (p.per_d * (Y1 * κ1 + X1 * η1));
         // its length squared
@@ -1937,7 +1937,7 @@ pub mod andrews {
         let rr_sin_β = p.rr * sin_β;
         let Y1 = p.yb - rr_sin_β;
         let rr_cos_β = p.rr * cos_β;
-        // vector that what closes crank–coupler–lever has to span
+        // vector that is left to close crank–coupler–lever
         let X1 = p.xb - rr_cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1963,7 +1963,7 @@ pub mod andrews {
         // angle of `lever` from the assembled one
         let φ3_minus_φ3_0 = t3.unwrap_to(turn_lever);
         let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that what closes crank–coupler–upper–upper_arm has to span
+        // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;

@@ -396,7 +396,7 @@ pub mod bridge_amplifier {
         // its part along the guide
         let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
-        // vector that what closes lower_left–upper_left–table has to span
+        // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
         let per_l_x_table_minus_P1 = p.per_l * (x_table - P1);
@@ -499,7 +499,7 @@ pub mod bridge_amplifier {
         // its part along the guide
         let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
-        // vector that what closes lower_left–upper_left–table has to span
+        // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
         let per_l_x_table_minus_P1 = p.per_l * (x_table - P1);
@@ -658,7 +658,7 @@ pub mod bridge_amplifier {
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let A_x = p.l * cos_φ1;
-        // vector that what closes lower_left–upper_left–table has to span
+        // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         let B_x = p.l * (p.per_l * X1);
         // its part along the guide
@@ -685,7 +685,7 @@ pub mod bridge_amplifier {
         // its part along the guide
         let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
-        // vector that what closes lower_left–upper_left–table has to span
+        // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
         let per_l_x_table_minus_P1 = p.per_l * (x_table - P1);
@@ -786,7 +786,7 @@ pub mod bridge_amplifier {
         let φ1 = x[0];
         // ── configuration ──
         let A_x = p.l * φ1.cos();
-        // vector that what closes lower_left–upper_left–table has to span
+        // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         result[0] = p.per_l_squared * (p.l_squared - X1 * X1);
     }
@@ -807,7 +807,7 @@ pub mod bridge_amplifier {
         // its part along the guide
         let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
-        // vector that what closes lower_left–upper_left–table has to span
+        // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
         let s3 = -(p.per_l * (x_table - P1));

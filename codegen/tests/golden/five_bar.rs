@@ -426,7 +426,7 @@ pub mod five_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let Y = p.l1 * sin_φ2 - p.l1 * sin_φ1;
         let half_Y = Y * 0.5;
-        // vector that what closes left_crank–left_coupler–right_coupler–right_crank has to span
+        // vector that is left to close left_crank–left_coupler–right_coupler–right_crank
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -623,7 +623,7 @@ pub mod five_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let Y = p.l1 * sin_φ2 - p.l1 * sin_φ1;
         let half_Y = Y * 0.5;
-        // vector that what closes left_crank–left_coupler–right_coupler–right_crank has to span
+        // vector that is left to close left_crank–left_coupler–right_coupler–right_crank
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -1187,7 +1187,7 @@ pub mod five_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_cos_φ1 = p.l1 * cos_φ1;
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
-        // vector that what closes left_crank–left_coupler–right_coupler–right_crank has to span
+        // vector that is left to close left_crank–left_coupler–right_coupler–right_crank
         let X = p.base + p.l1 * cos_φ2 - l1_cos_φ1;
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = p.l1 * sin_φ2 - l1_sin_φ1;
@@ -1222,7 +1222,7 @@ pub mod five_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let Y = p.l1 * sin_φ2 - p.l1 * sin_φ1;
         let half_Y = Y * 0.5;
-        // vector that what closes left_crank–left_coupler–right_coupler–right_crank has to span
+        // vector that is left to close left_crank–left_coupler–right_coupler–right_crank
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
@@ -1320,7 +1320,7 @@ pub mod five_bar {
         // ── configuration ──
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // vector that what closes left_crank–left_coupler–right_coupler–right_crank has to span
+        // vector that is left to close left_crank–left_coupler–right_coupler–right_crank
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         let Y = p.l1 * sin_φ2 - p.l1 * sin_φ1;
         // its length squared
@@ -1346,7 +1346,7 @@ pub mod five_bar {
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let Y = p.l1 * sin_φ2 - p.l1 * sin_φ1;
         let half_Y = Y * 0.5;
-        // vector that what closes left_crank–left_coupler–right_coupler–right_crank has to span
+        // vector that is left to close left_crank–left_coupler–right_coupler–right_crank
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;

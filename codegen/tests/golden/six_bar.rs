@@ -742,7 +742,7 @@ pub mod six_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that what closes crank–coupler–rocker has to span
+        // vector that is left to close crank–coupler–rocker
         let X1 = p.x2 - l1_cos_φ1;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -771,7 +771,7 @@ pub mod six_bar {
         let ω3 = -t4;
         let ω3_squared = ω3 * ω3;
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // vector that what closes crank–coupler–connector–output_rocker has to span
+        // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -922,7 +922,7 @@ pub mod six_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that what closes crank–coupler–rocker has to span
+        // vector that is left to close crank–coupler–rocker
         let X1 = p.x2 - l1_cos_φ1;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -952,7 +952,7 @@ pub mod six_bar {
         let ω3 = -t4;
         let ω3_squared = ω3 * ω3;
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // vector that what closes crank–coupler–connector–output_rocker has to span
+        // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1236,7 +1236,7 @@ pub mod six_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that what closes crank–coupler–rocker has to span
+        // vector that is left to close crank–coupler–rocker
         let X1 = p.x2 - l1_cos_φ1;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1247,7 +1247,7 @@ pub mod six_bar {
         let s2 = p.per_l2 * (Y1 * κ1 + X1 * η1);
         let c2 = p.per_l2 * (X1 * κ1 - Y1 * η1);
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // vector that what closes crank–coupler–connector–output_rocker has to span
+        // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1285,7 +1285,7 @@ pub mod six_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that what closes crank–coupler–rocker has to span
+        // vector that is left to close crank–coupler–rocker
         let X1 = p.x2 - l1_cos_φ1;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1313,7 +1313,7 @@ pub mod six_bar {
         let ω3 = -t3;
         let ω3_squared = ω3 * ω3;
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // vector that what closes crank–coupler–connector–output_rocker has to span
+        // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
@@ -1422,7 +1422,7 @@ pub mod six_bar {
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that what closes crank–coupler–rocker has to span
+        // vector that is left to close crank–coupler–rocker
         let X1 = p.x2 - l1_cos_φ1;
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
@@ -1434,7 +1434,7 @@ pub mod six_bar {
         let η1 = p.half_s1 * (per_D1 * (-t1).sqrt());
         let s2 = p.per_l2 * (Y1 * κ1 + X1 * η1);
         let c2 = p.per_l2 * (X1 * κ1 - Y1 * η1);
-        // vector that what closes crank–coupler–connector–output_rocker has to span
+        // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
         // its length squared
@@ -1464,7 +1464,7 @@ pub mod six_bar {
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
         let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that what closes crank–coupler–rocker has to span
+        // vector that is left to close crank–coupler–rocker
         let X1 = p.x2 - l1_cos_φ1;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
@@ -1487,7 +1487,7 @@ pub mod six_bar {
         // angle of `rocker` from the assembled one
         let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // vector that what closes crank–coupler–connector–output_rocker has to span
+        // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
