@@ -2,6 +2,7 @@
 ///
 /// Andrews' squeezing mechanism: seven bodies, three loops, one degree of freedom, driven by a
 /// constant torque against a stiff spring.
+///
 /// A published multibody benchmark (IVP test set; IFToMM A03). Angles are named as published; there
 /// the coupler and the links at E are measured against the link they are pinned to.
 #[allow(
@@ -2504,98 +2505,98 @@ pub mod andrews {
         },
         Variable {
             name: Cow::Borrowed("beta"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("angle of the crank"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("theta"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("of the coupler, from the crank"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("gamma"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("of the lever"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("phi"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("of the upper connecting link, from its arm"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("delta"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("of the upper arm"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("Omega"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("of the lower connecting link, from its arm"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("epsilon"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("of the lower arm"),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("dbeta"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("dtheta"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("dgamma"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("dphi"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("ddelta"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("dOmega"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
         },
         Variable {
             name: Cow::Borrowed("depsilon"),
-            unit: Cow::Borrowed("1/s"),
+            unit: Cow::Borrowed("rad/s"),
             meaning: Cow::Borrowed(""),
             causality: Causality::Output,
             start: None,
@@ -3066,7 +3067,7 @@ Loop crank–coupler–lever
   c3 = -(X1 - X1 κ1 + Y1 η1) / ss
   s3 = (Y1 κ1 - Y1 + X1 η1) / ss
 
-  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns
+  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
 
   ω2  = rr sin(β - φ3) / (d sin(φ2 - φ3))
   ω3  = rr sin(φ2 - β) / (ss sin(φ2 - φ3))
@@ -3088,7 +3089,7 @@ Loop crank–coupler–upper–upper_arm
   c  = -(X2 - X2 κ2 + Y2 η2) / zt
   s  = (Y2 κ2 - Y2 + X2 η2) / zt
 
-  φ4 = atan2(s4, c4), δ = atan2(s, c), continuous over many turns
+  φ4 = atan2(s4, c4), δ = atan2(s, c), continuous over many turns; ⁰: as assembled
 
   ω4  = (rr sin(β - δ) + d ω2 sin(δ - φ2)) / (e sin(φ4 - δ))
   ω   = (rr sin(β - φ4) + d ω2 sin(φ4 - φ2)) / (zt sin(δ - φ4))
@@ -3112,7 +3113,7 @@ Loop crank–coupler–lower–lower_arm
   c7 = -(X3 - X3 κ3 + Y3 η3) / u
   s7 = (Y3 κ3 - Y3 + X3 η3) / u
 
-  φ6 = atan2(s6, c6), φ7 = atan2(s7, c7), continuous over many turns
+  φ6 = atan2(s6, c6), φ7 = atan2(s7, c7), continuous over many turns; ⁰: as assembled
 
   ω6  = (rr sin(β - φ7) + d ω2 sin(φ7 - φ2)) / (zf sin(φ6 - φ7))
   ω7  = (rr sin(β - φ6) + d ω2 sin(φ6 - φ2)) / (u sin(φ7 - φ6))
@@ -3255,7 +3256,7 @@ D_{1} &= X_{1}^{2} + Y_{1}^{2} \\
 \sin \varphi_{2} &= -\frac{Y_{1} \, \kappa_{1} + X_{1} \, \eta_{1}}{d} \\
 \cos \varphi_{3} &= -\frac{X_{1} - X_{1} \, \kappa_{1} + Y_{1} \, \eta_{1}}{\mathit{ss}} \\
 \sin \varphi_{3} &= \frac{Y_{1} \, \kappa_{1} - Y_{1} + X_{1} \, \eta_{1}}{\mathit{ss}} \\
-& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
+& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{2} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{3}\right)}{d \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{\mathit{rr} \sin\left(\varphi_{2} - \beta\right)}{\mathit{ss} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{\mathit{rr} \left(\omega_{3} - 1\right) \cos\left(\beta - \varphi_{3}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{d \sin\left(\varphi_{3} - \varphi_{2}\right)} \\
@@ -3274,7 +3275,7 @@ D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \sin \varphi_{4} &= -\frac{Y_{2} \, \kappa_{2} + X_{2} \, \eta_{2}}{e} \\
 \cos \delta &= -\frac{X_{2} - X_{2} \, \kappa_{2} + Y_{2} \, \eta_{2}}{\mathit{zt}} \\
 \sin \delta &= \frac{Y_{2} \, \kappa_{2} - Y_{2} + X_{2} \, \eta_{2}}{\mathit{zt}} \\
-& \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}),\quad \delta = \operatorname{atan2}(\sin \delta, \cos \delta) \quad\text{(continuous over many turns)} \\
+& \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}),\quad \delta = \operatorname{atan2}(\sin \delta, \cos \delta) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{4} &= \frac{\mathit{rr} \sin\left(\beta - \delta\right) + d \, \omega_{2} \sin\left(\delta - \varphi_{2}\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
 \omega &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{4}\right) + d \, \omega_{2} \sin\left(\varphi_{4} - \varphi_{2}\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)} \\
 \omega'_{4} &= \frac{\mathit{rr} \left(\omega - 1\right) \cos\left(\beta - \delta\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \delta\right) + d \, \omega_{2} \left(\omega_{2} - \omega\right) \cos\left(\varphi_{2} - \delta\right) + e \, \omega_{4} \left(\omega_{4} - \omega\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\delta - \varphi_{4}\right)} \\
@@ -3293,7 +3294,7 @@ D_{3} &= X_{3}^{2} + Y_{3}^{2} \\
 \sin \varphi_{6} &= -\frac{Y_{3} \, \kappa_{3} + X_{3} \, \eta_{3}}{\mathit{zf}} \\
 \cos \varphi_{7} &= -\frac{X_{3} - X_{3} \, \kappa_{3} + Y_{3} \, \eta_{3}}{u} \\
 \sin \varphi_{7} &= \frac{Y_{3} \, \kappa_{3} - Y_{3} + X_{3} \, \eta_{3}}{u} \\
-& \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}),\quad \varphi_{7} = \operatorname{atan2}(\sin \varphi_{7}, \cos \varphi_{7}) \quad\text{(continuous over many turns)} \\
+& \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}),\quad \varphi_{7} = \operatorname{atan2}(\sin \varphi_{7}, \cos \varphi_{7}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{6} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{7}\right) + d \, \omega_{2} \sin\left(\varphi_{7} - \varphi_{2}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
 \omega_{7} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{6}\right) + d \, \omega_{2} \sin\left(\varphi_{6} - \varphi_{2}\right)}{u \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
 \omega'_{6} &= \frac{\mathit{rr} \left(\omega_{7} - 1\right) \cos\left(\beta - \varphi_{7}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{7}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{7}\right) \cos\left(\varphi_{2} - \varphi_{7}\right) + \mathit{zf} \, \omega_{6} \left(\omega_{6} - \omega_{7}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{7} - \varphi_{6}\right)} \\

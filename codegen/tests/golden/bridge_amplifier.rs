@@ -1314,7 +1314,7 @@ pub mod bridge_amplifier {
                 width: 9,
                 excerpt: Cow::Borrowed("drive extension = sine(stroke, frequency = f)"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
             message: Cow::Borrowed("`lower_left` can move but has no mass"),
@@ -1355,7 +1355,7 @@ Loop lower_left–upper_left–table
   c3      = -X1/l
   s3      = -(x_table + Y1) / l
 
-  φ3 = atan2(s3, c3), continuous over many turns
+  φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
 
   ω3       = sin(φ1)/sin(φ3)
   ν_table  = l sin(φ3 - φ1) / sin(φ3)
@@ -1509,7 +1509,7 @@ N_{1} &= X_{1} \\
 x_{\mathrm{table}} &= P_{1} + s_{1} \, \sqrt{l^{2} - N_{1}^{2}} \\
 \cos \varphi_{3} &= -\frac{X_{1}}{l} \\
 \sin \varphi_{3} &= -\frac{x_{\mathrm{table}} + Y_{1}}{l} \\
-& \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
+& \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{3} &= \frac{\sin \varphi_{1}}{\sin \varphi_{3}} \\
 \nu_{\mathrm{table}} &= \frac{l \sin\left(\varphi_{3} - \varphi_{1}\right)}{\sin \varphi_{3}} \\
 \omega'_{3} &= \frac{l \cos \varphi_{1} - l \, \omega_{3}^{2} \cos \varphi_{3}}{l \sin \varphi_{3}} \\

@@ -2,6 +2,7 @@
 ///
 /// A stage that hangs by two leaf springs from a frame that stands on two others: the stage's travel
 /// is straight to second order, because what the frame sinks the stage rises.
+///
 /// Leaves are pseudo-rigid links with a torsion spring at either end.
 #[allow(
     non_snake_case,
@@ -131,6 +132,8 @@ pub mod double_parallelogram_stage {
             let l_squared_ms = l_squared * ms;
             // constant of the inertia
             let C0 = t1 + l_squared_ms;
+            // inertia as assembled
+            let A_inner_left_0 = l_squared_ml * 0.6666666666666666 + l_squared_ms;
             // constant of the inertia
             let C1 = I1 + I1 + ml_r1_squared + ml_r1_squared + l_squared_ms;
             let two_l_ml_r1 = l * ml * r1 * 2.0;
@@ -199,7 +202,7 @@ pub mod double_parallelogram_stage {
             if !(C0 > 0.0) {
                 return Err(FAILURES[18].diagnostic(&[]));
             }
-            if !(C1 > 0.0) {
+            if !(A_inner_left_0 > 0.0) {
                 return Err(FAILURES[19].diagnostic(&[]));
             }
             let prepared = Prepared {
@@ -1087,7 +1090,7 @@ Equations of motion of `left`, `inner_left`
                - k (φ_frame - φ_frame⁰ - φ1 + φ1⁰)
                + k (φ_right - φ_right⁰ - (φ_frame - φ_frame⁰))
   τ_1          = -l push sin(2 π f t) sin(φ1)
-  ∂P_s/∂φ2     = k ((φ_inner_right - φ_inner_right⁰) - φ_frame - φ_frame⁰)
+  ∂P_s/∂φ2     = k (φ_inner_right - φ_inner_right⁰ - (φ_frame - φ_frame⁰))
                - k (φ_frame - φ_frame⁰ - φ2 + φ2⁰)
                - k (φ_stage - φ_stage⁰ - φ2 + φ2⁰)
                + k (φ_inner_right - φ_inner_right⁰ - (φ_stage - φ_stage⁰))
@@ -1162,7 +1165,7 @@ h_{\mathrm{inner},\mathrm{left}} &= \frac{1}{2} \, C_{2} \, \dot{\varphi}_{1}^{2
 &\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
 \tau_{1} &= -l \, \mathit{push} \sin\left(2 \, \pi \, f \, t\right) \sin \varphi_{1} \\
-\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\left(\varphi_{\mathrm{inner},\mathrm{right}} - \varphi_{\mathrm{inner},\mathrm{right}}^0\right) - \varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right) \\
+\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\varphi_{\mathrm{inner},\mathrm{right}} - \varphi_{\mathrm{inner},\mathrm{right}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
 &\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
 &\quad {}- k \left(\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
 &\quad {}+ k \left(\varphi_{\mathrm{inner},\mathrm{right}} - \varphi_{\mathrm{inner},\mathrm{right}}^0 - \left(\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0\right)\right) \\

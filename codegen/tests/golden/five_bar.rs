@@ -126,8 +126,9 @@ pub mod five_bar {
             let t2 = t1 * 0.25 / l2_squared_squared;
             // distance of the centre of mass from the first end of left_crank
             let r1 = l1 * 0.5;
+            let l1_squared_m2 = l1_squared * m2;
             // constant of the inertia
-            let C1 = I1 + m1 * (r1 * r1) + l1_squared * m2;
+            let C1 = I1 + m1 * (r1 * r1) + l1_squared_m2;
             // constant of the inertia
             let C0 = C1 + l1_squared * mt;
             // distance of the centre of mass from the first end of left_coupler
@@ -177,7 +178,8 @@ pub mod five_bar {
             let t14 = C1 + l1_squared_C2 * (t11 * t11) / t6
                 + l1_squared_C3 * (t13 * t13) / t6;
             // inertia as assembled
-            let A_right_crank_0 = t14 + l1 * C5 * t13 * t12 / l2_sin_φ3_0_minus_φ4_0;
+            let A_right_crank_0 = t14
+                + l1_squared_m2 * r3 * t13 * t12 * 2.0 / l2_sin_φ3_0_minus_φ4_0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
             }
@@ -1911,7 +1913,7 @@ Loop left_crank–left_coupler–right_coupler–right_crank
   c4 = -(X - X κ + Y η) / l2
   s4 = (Y κ - Y + X η) / l2
 
-  φ3 = atan2(s3, c3), φ4 = atan2(s4, c4), continuous over many turns
+  φ3 = atan2(s3, c3), φ4 = atan2(s4, c4), continuous over many turns; ⁰: as assembled
 
   ω3_left_crank  = l1 sin(φ4 - φ1) / (l2 sin(φ3 - φ4))
   ω4_left_crank  = l1 sin(φ3 - φ1) / (l2 sin(φ3 - φ4))
@@ -2091,7 +2093,7 @@ D &= X^{2} + Y^{2} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{4} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{2}} \\
 \sin \varphi_{4} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{2}} \\
-& \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}),\quad \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}) \quad\text{(continuous over many turns)} \\
+& \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}),\quad \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{3,\mathrm{left},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{4} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
 \omega_{4,\mathrm{left},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
 \omega_{3,\mathrm{right},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\

@@ -2,6 +2,7 @@
 ///
 /// One window of the N-window chain of four-bars (IFToMM A02): three equal bars that fall and pass
 /// through the positions in which all lie in one line.
+///
 /// There the loop's branch is not determined by geometry; the bars stay parallel because they are
 /// of the same length.
 #[allow(

@@ -1,6 +1,7 @@
 /// Simulator of the model `parallelogram_stage`, generated from its equations of motion.
 ///
 /// A stage on two leaf springs, each as a pseudo-rigid link with a torsion spring at either end.
+///
 /// A leaf whose ends stay parallel: a link of 0.8517 of its length and stiffness 2 γ K_Θ E I / L at
 /// either end, K_Θ = 2.65 (Howell, Compliant Mechanisms, 2001). The stage moves in translation.
 #[allow(

@@ -1826,7 +1826,7 @@ pub mod six_bar {
         },
         Variable {
             name: Cow::Borrowed("swing"),
-            unit: Cow::Borrowed("1"),
+            unit: Cow::Borrowed("rad"),
             meaning: Cow::Borrowed("angle of the output rocker"),
             causality: Causality::Output,
             start: None,
@@ -2170,7 +2170,7 @@ Loop crank–coupler–rocker
   c3 = -(X1 - X1 κ1 + Y1 η1) / l3
   s3 = (Y1 κ1 - Y1 + X1 η1) / l3
 
-  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns
+  φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
 
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
@@ -2192,7 +2192,7 @@ Loop crank–coupler–connector–output_rocker
   c6 = -(X2 - X2 κ2 + Y2 η2) / l6
   s6 = (Y2 κ2 - Y2 + X2 η2) / l6
 
-  φ5 = atan2(s5, c5), φ6 = atan2(s6, c6), continuous over many turns
+  φ5 = atan2(s5, c5), φ6 = atan2(s6, c6), continuous over many turns; ⁰: as assembled
 
   ω5  = (l1 sin(φ1 - φ6) + cx ω2 sin(φ2 - φ6) + cy ω2 cos(φ2 - φ6)) / (l5 sin(φ6 - φ5))
   ω6  = (l1 sin(φ1 - φ5) + cx ω2 sin(φ2 - φ5) + cy ω2 cos(φ2 - φ5)) / (l6 sin(φ6 - φ5))
@@ -2316,7 +2316,7 @@ D_{1} &= X_{1}^{2} + Y_{1}^{2} \\
 \sin \varphi_{2} &= \frac{Y_{1} \, \kappa_{1} + X_{1} \, \eta_{1}}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X_{1} - X_{1} \, \kappa_{1} + Y_{1} \, \eta_{1}}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y_{1} \, \kappa_{1} - Y_{1} + X_{1} \, \eta_{1}}{l_{3}} \\
-& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns)} \\
+& \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
@@ -2335,7 +2335,7 @@ D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \sin \varphi_{5} &= \frac{Y_{2} \, \kappa_{2} + X_{2} \, \eta_{2}}{l_{5}} \\
 \cos \varphi_{6} &= -\frac{X_{2} - X_{2} \, \kappa_{2} + Y_{2} \, \eta_{2}}{l_{6}} \\
 \sin \varphi_{6} &= \frac{Y_{2} \, \kappa_{2} - Y_{2} + X_{2} \, \eta_{2}}{l_{6}} \\
-& \varphi_{5} = \operatorname{atan2}(\sin \varphi_{5}, \cos \varphi_{5}),\quad \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}) \quad\text{(continuous over many turns)} \\
+& \varphi_{5} = \operatorname{atan2}(\sin \varphi_{5}, \cos \varphi_{5}),\quad \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega_{5} &= \frac{l_{1} \sin\left(\varphi_{1} - \varphi_{6}\right) + \mathit{cx} \, \omega_{2} \sin\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cy} \, \omega_{2} \cos\left(\varphi_{2} - \varphi_{6}\right)}{l_{5} \sin\left(\varphi_{6} - \varphi_{5}\right)} \\
 \omega_{6} &= \frac{l_{1} \sin\left(\varphi_{1} - \varphi_{5}\right) + \mathit{cx} \, \omega_{2} \sin\left(\varphi_{2} - \varphi_{5}\right) + \mathit{cy} \, \omega_{2} \cos\left(\varphi_{2} - \varphi_{5}\right)}{l_{6} \sin\left(\varphi_{6} - \varphi_{5}\right)} \\
 \omega'_{5} &= \frac{l_{1} \left(1 - \omega_{6}\right) \cos\left(\varphi_{1} - \varphi_{6}\right) + \mathit{cx} \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cx} \, \omega_{2} \left(\omega_{2} - \omega_{6}\right) \cos\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cy} \, \omega'_{2} \cos\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cy} \, \omega_{2} \left(\omega_{2} - \omega_{6}\right) \sin\left(\varphi_{6} - \varphi_{2}\right) + l_{5} \, \omega_{5} \left(\omega_{5} - \omega_{6}\right) \cos\left(\varphi_{5} - \varphi_{6}\right)}{l_{5} \sin\left(\varphi_{6} - \varphi_{5}\right)} \\

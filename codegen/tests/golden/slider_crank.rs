@@ -1060,7 +1060,7 @@ Loop crank–rod–piston
   c_2      = (x_piston + X) / l
   s_2      = Y/l
 
-  ψ = atan2(s_2, c_2), continuous over many turns
+  ψ = atan2(s_2, c_2), continuous over many turns; ⁰: as assembled
 
   ω         = -r cos(φ) / (l cos(ψ))
   ν_piston  = r sin(ψ - φ) / cos(ψ)
@@ -1125,7 +1125,7 @@ N &= -Y \\
 x_{\mathrm{piston}} &= P + s \, \sqrt{l^{2} - N^{2}} \\
 \cos \psi &= \frac{x_{\mathrm{piston}} + X}{l} \\
 \sin \psi &= \frac{Y}{l} \\
-& \psi = \operatorname{atan2}(\sin \psi, \cos \psi) \quad\text{(continuous over many turns)} \\
+& \psi = \operatorname{atan2}(\sin \psi, \cos \psi) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 \omega &= -\frac{r \cos \varphi}{l \cos \psi} \\
 \nu_{\mathrm{piston}} &= \frac{r \sin\left(\psi - \varphi\right)}{\cos \psi} \\
 \omega' &= \frac{r \sin \varphi + l \, \omega^{2} \sin \psi}{l \cos \psi} \\

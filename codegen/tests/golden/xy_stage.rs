@@ -2,6 +2,7 @@
 ///
 /// A serial xy stage: a platform on two leaf springs on a frame, which stands on two others; a piezo
 /// stack moves each.
+///
 /// Leaves are pseudo-rigid links with a torsion spring at either end.
 #[allow(
     non_snake_case,
@@ -150,6 +151,8 @@ pub mod xy_stage {
             let l_squared_mp = l_squared * mp;
             // constant of the inertia
             let C0 = t1 + l_squared_mp;
+            // inertia as assembled
+            let A_lower_0 = l_squared_ml * 0.6666666666666666 + l_squared_mp;
             // constant of the inertia
             let C1 = I1 + I1 + ml_r1_squared + ml_r1_squared + l_squared_mp;
             let two_l_ml_r1 = l * ml * r1 * 2.0;
@@ -223,7 +226,7 @@ pub mod xy_stage {
             if !(C0 > 0.0) {
                 return Err(FAILURES[20].diagnostic(&[]));
             }
-            if !(C1 > 0.0) {
+            if !(A_lower_0 > 0.0) {
                 return Err(FAILURES[21].diagnostic(&[]));
             }
             let prepared = Prepared {
@@ -1193,7 +1196,7 @@ pub mod xy_stage {
                 width: 2,
                 excerpt: Cow::Borrowed("drive ux = sine(stroke, frequency = fx)"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
             message: Cow::Borrowed("the frequency is {0}"),
@@ -1205,7 +1208,7 @@ pub mod xy_stage {
                 width: 2,
                 excerpt: Cow::Borrowed("drive uy = sine(stroke, frequency = fy)"),
             }),
-            units: Cow::Borrowed(&[Unit::Number]),
+            units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
             message: Cow::Borrowed("`left` can move but has no mass"),
@@ -1301,7 +1304,7 @@ Equations of motion of `left`, `lower`
                - k (φ_frame - φ_frame⁰ - φ1 + φ1⁰)
                + k (φ_right - φ_right⁰ - (φ_frame - φ_frame⁰))
   τ_1          = -4 c φ̇1 - l F_x_stack sin(φ1)
-  ∂P_s/∂φ2     = k ((φ_upper - φ_upper⁰) - φ_frame - φ_frame⁰)
+  ∂P_s/∂φ2     = k (φ_upper - φ_upper⁰ - (φ_frame - φ_frame⁰))
                - k (φ_frame - φ_frame⁰ - φ2 + φ2⁰)
                - k (φ_platform - φ_platform⁰ - φ2 + φ2⁰)
                + k (φ_upper - φ_upper⁰ - (φ_platform - φ_platform⁰))
@@ -1390,7 +1393,7 @@ h_{\mathrm{lower}} &= \frac{1}{2} \, C_{2} \, \dot{\varphi}_{1}^{2} \sin\left(\v
 &\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
 \tau_{1} &= -4 \, c \, \dot{\varphi}_{1} - l \, F_{x,\mathrm{stack}} \sin \varphi_{1} \\
-\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\left(\varphi_{\mathrm{upper}} - \varphi_{\mathrm{upper}}^0\right) - \varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right) \\
+\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\varphi_{\mathrm{upper}} - \varphi_{\mathrm{upper}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
 &\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
 &\quad {}- k \left(\varphi_{\mathrm{platform}} - \varphi_{\mathrm{platform}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
 &\quad {}+ k \left(\varphi_{\mathrm{upper}} - \varphi_{\mathrm{upper}}^0 - \left(\varphi_{\mathrm{platform}} - \varphi_{\mathrm{platform}}^0\right)\right) \\
