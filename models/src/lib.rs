@@ -1,4 +1,5 @@
-//! The models of this repository, each compiled by the macro to a module of its own.
+//! The models of this repository, each compiled by the macro to a module of its own; all but
+//! `three_rrr`, whose unrolled Newton steps are more than the Rust compiler takes in one function.
 //!
 //! ```
 //! use flexure_models::pendulum::Params;
