@@ -211,6 +211,8 @@ proptest! {
         let written = tree.value(&x);
         prop_assume!(written.is_well());
         let condition = evaluator(&g, &symbols, &x).condition(expr);
+        // At a singular derivative, such as that of 0^π by its exponent, rounding has no bound.
+        prop_assume!(condition.sum.is_finite());
         let bound = 100.0 * (written.error + f64::EPSILON * condition.sum);
         prop_assert!(
             (condition.value - written.value).abs() <= bound,
