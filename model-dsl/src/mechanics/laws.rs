@@ -7,6 +7,7 @@
 use crate::equations::{Failure, Line, Shown, ShownUnit};
 use crate::model::{BodyId, Condition, Load};
 use crate::source::Span;
+use crate::structure::turning_link;
 use crate::symbolic::{Expr, Node, Symbol};
 
 use super::Derivation;
@@ -163,8 +164,7 @@ impl Derivation<'_> {
 
     /// Rates by each coordinate of the angle of `second` relative to `first`.
     fn relative_rates(&mut self, first: BodyId, second: BodyId) -> Vec<Expr> {
-        let [first, second] =
-            [first, second].map(|body| self.structure.turning_link(self.model, body));
+        let [first, second] = [first, second].map(|body| turning_link(self.model, body));
         (0..self.coordinates.len())
             .map(|i| {
                 let [a, b] = [first, second].map(|link| match link {

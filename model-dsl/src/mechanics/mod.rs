@@ -101,6 +101,8 @@ pub(crate) struct Derivation<'m> {
     pub g: Graph,
     pub names: Names,
     pub coordinates: Vec<Coordinate>,
+    /// Whether loops follow several coordinates, whose names rates then bear.
+    pub several_lead: bool,
     /// By body; `None` for ground and until it is known.
     variables: Vec<Option<Variable>>,
     /// For each coordinate: how symbols change with it.
@@ -128,12 +130,15 @@ pub(crate) struct Derivation<'m> {
 
 impl<'m> Derivation<'m> {
     fn new(model: &'m Model, structure: &'m Structure) -> Self {
+        let leads = |body: &&BodyId| structure.in_loop(**body);
+        let several_lead = structure.coordinates.iter().filter(leads).count() > 1;
         Self {
             model,
             structure,
             g: model.graph.clone(),
             names: Names::new(&model.graph),
             coordinates: Vec::new(),
+            several_lead,
             variables: vec![None; model.bodies.len()],
             rates: vec![Rates::new(); structure.coordinates.len()],
             definitions: Vec::new(),
@@ -264,12 +269,17 @@ impl<'m> Derivation<'m> {
                 if !moved[index] {
                     return zero;
                 }
-                let rates = std::mem::take(&mut self.rates[index]);
-                let value = self.g.derivative(measure, &rates);
-                self.rates[index] = rates;
-                value
+                self.along(&[measure], index)[0]
             })
             .collect()
+    }
+
+    /// Total derivatives along a coordinate.
+    pub(crate) fn along(&mut self, values: &[Expr], index: usize) -> Vec<Expr> {
+        let rates = std::mem::take(&mut self.rates[index]);
+        let derivatives = self.g.derivatives(values, &rates);
+        self.rates[index] = rates;
+        derivatives
     }
 
     /// A new section of the report.

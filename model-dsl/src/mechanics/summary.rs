@@ -72,7 +72,7 @@ impl Derivation<'_> {
             let body = &self.model.bodies[coordinate.body];
             let reason = if self.structure.asked[index] {
                 "as asked"
-            } else if self.structure.in_loop(self.model, coordinate.body) {
+            } else if self.structure.in_loop(coordinate.body) {
                 if self.structure.is_closed_form() {
                     "the first in the file with which every loop closes in closed form"
                 } else {

@@ -7,7 +7,7 @@
 //! counted, so cos(θ + π/2) is written -sin θ from the start.
 
 use crate::model::{BodyId, BodyKind, Local, Slide};
-use crate::structure::Attachment;
+use crate::structure::{Attachment, turning_link};
 use crate::symbolic::{Expr, Function, Graph};
 
 use super::Derivation;
@@ -80,7 +80,7 @@ impl Derivation<'_> {
     /// The link with whose angle a body turns, and by how many quarter turns it is ahead: links
     /// that turn with others are told by those.
     fn turning(&self, body: BodyId) -> (Option<BodyId>, u8) {
-        let own = self.structure.turning_link(self.model, body);
+        let own = turning_link(self.model, body);
         match own.and_then(|link| self.aliases[link]) {
             Some(alias) => (alias.link, alias.quarter),
             None => (own, 0),
@@ -161,10 +161,16 @@ impl Derivation<'_> {
             return Vec::new();
         };
         let mut parts = self.vector_in(carrier, origin);
+        let travelled = self.travelled(slide);
+        parts.extend(travelled);
+        parts
+    }
+
+    /// What a slide has travelled along its guide from the guide's origin.
+    pub(crate) fn travelled(&mut self, slide: BodyId) -> Vec<Turned> {
         let mut along = self.guide(slide);
         along.iter_mut().for_each(|part| part.slide = Some(slide));
-        parts.extend(along);
-        parts
+        along
     }
 
     /// Turns a vector round.
@@ -265,7 +271,8 @@ impl Derivation<'_> {
         wave(&mut self.g, difference, (a.quarter + 4 - b.quarter) % 4)
     }
 
-    fn scale(&mut self, part: &Turned) -> Expr {
+    /// The magnitude of a vector, times the position of the slide that scales it.
+    pub(crate) fn scale(&mut self, part: &Turned) -> Expr {
         match part.slide {
             Some(slide) => {
                 let position = self.variable(slide).value;

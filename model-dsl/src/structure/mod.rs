@@ -167,11 +167,6 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// The link with whose angle a body turns; `None` for what only translates.
-    pub fn turning_link(&self, model: &Model, body: BodyId) -> Option<BodyId> {
-        turning_link(model, body)
-    }
-
     /// Whether no loops have to be closed together by Newton's method.
     pub fn is_closed_form(&self) -> bool {
         self.steps
@@ -180,18 +175,18 @@ impl Structure {
     }
 
     /// Whether a body's variable takes part in a loop.
-    pub fn in_loop(&self, model: &Model, body: BodyId) -> bool {
+    pub fn in_loop(&self, body: BodyId) -> bool {
         self.steps.iter().any(|step| {
             step.unknowns().contains(&body)
                 || step
                     .ways()
                     .iter()
-                    .any(|way| self.way_bodies(model, way).contains(&body))
+                    .any(|way| self.way_bodies(way).contains(&body))
         })
     }
 
     /// The bodies of a loop in order from ground to ground, without ground.
-    pub fn way_bodies(&self, _model: &Model, way: &Way) -> Vec<BodyId> {
+    pub fn way_bodies(&self, way: &Way) -> Vec<BodyId> {
         let mut bodies = self.way_out(way.start.0);
         for leg in &way.legs {
             match *leg {
@@ -278,7 +273,7 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             .filter(|body| component.bodies.contains(body))
             .count() as i64;
         search.look_at(&component.bodies);
-        search.proceed()?;
+        search.proceed();
         while !search.is_placed(&component.bodies) {
             let has_own = coordinates
                 .iter()
@@ -298,7 +293,7 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             coordinates.push(next);
             search.learn(next);
             left -= 1;
-            search.proceed()?;
+            search.proceed();
         }
     }
     search.leftover_joints();

@@ -126,17 +126,13 @@ impl<'m> Search<'m> {
             .collect()
     }
 
-    /// Places bodies and closes loops as long as that goes on.
-    ///
-    /// # Errors
-    /// Never at present; a redundant joint is judged when its equations are there.
-    pub(super) fn proceed(&mut self) -> Result<(), Vec<Diagnostic>> {
-        loop {
-            self.place_all();
-            let Some(front) = self.shortest_way(2) else {
-                return Ok(());
-            };
+    /// Places bodies and closes loops as long as that goes on. A redundant joint is judged when its
+    /// equations are there.
+    pub(super) fn proceed(&mut self) {
+        self.place_all();
+        while let Some(front) = self.shortest_way(2) {
             self.take(front);
+            self.place_all();
         }
     }
 
@@ -445,16 +441,12 @@ impl<'m> Search<'m> {
         let closes = |candidate: &&BodyId| {
             let mut trial = self.clone();
             trial.learn(**candidate);
-            if trial.proceed().is_err() {
-                return false;
-            }
+            trial.proceed();
             for _ in 0..more.max(0) {
                 let next = bodies.iter().find(|body| !trial.known[**body]).copied();
                 let Some(next) = next else { break };
                 trial.learn(next);
-                if trial.proceed().is_err() {
-                    return false;
-                }
+                trial.proceed();
             }
             trial.is_placed(bodies)
         };

@@ -11,44 +11,38 @@
 //!
 //! The sign of a root is the branch: that which is nearest to the drawing.
 
-use std::collections::HashMap;
-
-use flexure_runtime::diagnostic::Diagnostic;
-
-use crate::equations::{Direction, Discrete, Line, Loop, Shown, ShownUnit};
 use crate::model::BodyId;
 use crate::structure::Way;
 use crate::symbolic::{Expr, Function, Rational, Symbol};
 
 use super::super::Derivation;
-use super::super::names::subscript;
 use super::super::turned::{Turned, wave};
 use super::variables::{Dependent, Kind};
 
 /// A quantity on the way to the unknowns: symbol, definition, words.
-type Step = (Symbol, Expr, String);
+pub(super) type Step = (Symbol, Expr, String);
 
 /// How a loop's unknowns follow.
-struct Solution {
+pub(super) struct Solution {
     /// Cosine and sine of each unknown that is an angle.
-    directions: [Option<[Expr; 2]>; 2],
+    pub directions: [Option<[Expr; 2]>; 2],
     /// Positive where the loop closes.
-    closure: Expr,
+    pub closure: Expr,
     /// Where the branch's sign is asked: positive on the drawn side, in running symbols.
-    side: Option<Expr>,
+    pub side: Option<Expr>,
     /// By how much the loop misses to close, and what is said about it.
-    gap: Expr,
+    pub gap: Expr,
     /// Least and most length of the first unknown link that would close it.
-    range: Option<[Expr; 2]>,
+    pub range: Option<[Expr; 2]>,
 }
 
 /// A loop on the way to its solution.
-struct Dyad<'s> {
-    sum: &'s [Turned],
-    unknowns: [Dependent; 2],
-    index: String,
-    steps: Vec<Step>,
-    branch: Symbol,
+pub(super) struct Dyad<'s> {
+    pub sum: &'s [Turned],
+    pub unknowns: [Dependent; 2],
+    pub index: String,
+    pub steps: Vec<Step>,
+    pub branch: Symbol,
 }
 
 impl Derivation<'_> {
@@ -335,267 +329,6 @@ impl Derivation<'_> {
         }
     }
 
-    /// Defines all that was found, with running values and as assembled.
-    fn settle(
-        &mut self,
-        way: &Way,
-        mut dyad: Dyad<'_>,
-        solution: Solution,
-        name: &str,
-        lines: &mut Vec<Line>,
-    ) {
-        let mut named = Vec::new();
-        for (unknown, direction) in dyad.unknowns.clone().iter().zip(solution.directions) {
-            let Some([cos, sin]) = direction else {
-                named.push(None);
-                continue;
-            };
-            let sub = subscript(&unknown.name).to_owned();
-            let latex = self.g.symbol_latex(unknown.symbol).to_owned();
-            let pair =
-                [("c", "\\cos", cos), ("s", "\\sin", sin)].map(|(letter, function, value)| {
-                    let symbol = self.names.symbol_with_latex(
-                        &mut self.g,
-                        &format!("{letter}{sub}"),
-                        &format!("{function} {latex}"),
-                    );
-                    self.g.mark_varying(symbol);
-                    dyad.steps.push((symbol, value, String::new()));
-                    self.g.of(symbol)
-                });
-            named.push(Some(pair));
-        }
-        let map = self.assembled_twins(&dyad);
-        let at_start = |this: &mut Self, expr: Expr| this.g.substitute(expr, &map);
-        let closure = at_start(self, solution.closure);
-        let gap = at_start(self, solution.gap);
-        let range = solution
-            .range
-            .map(|range| range.map(|expr| at_start(self, expr)));
-        let side = solution.side.map(|side| at_start(self, side));
-        self.closing_checks(way, &dyad, name, closure, gap, range);
-        if self
-            .g
-            .symbols_in(&dyad.steps.iter().map(|s| s.1).collect::<Vec<_>>())
-            .contains(&dyad.branch)
-        {
-            self.branch(&dyad, side);
-        }
-        for (symbol, value, words) in &dyad.steps {
-            self.define(*symbol, *value, words.clone());
-            self.equation_line(lines, *symbol, *value, "");
-        }
-        for (unknown, direction) in dyad.unknowns.clone().iter().zip(named) {
-            match direction {
-                Some([cos, sin]) => {
-                    self.directions.push(Direction {
-                        angle: unknown.symbol,
-                        cos,
-                        sin,
-                    });
-                    let assembled = [cos, sin].map(|part| self.g.substitute(part, &map));
-                    self.count_turns(unknown, [cos, sin], assembled);
-                }
-                None => {
-                    let [now, then] = [unknown.symbol, unknown.assembled].map(|s| self.g.of(s));
-                    let shift = self.g.sub(now, then);
-                    let body = &self.model.bodies[unknown.body].name;
-                    let words = format!("position of `{body}` from the assembled one");
-                    self.define(unknown.shift, shift, words);
-                }
-            }
-        }
-        let angles: Vec<Symbol> = dyad
-            .unknowns
-            .iter()
-            .filter(|unknown| unknown.kind == Kind::Angle)
-            .map(|unknown| unknown.symbol)
-            .collect();
-        if !angles.is_empty() {
-            lines.push(self.angles_line(&angles));
-        }
-        self.loops.push(Loop {
-            name: name.to_owned(),
-            closure: solution.closure,
-        });
-    }
-
-    /// Defines every step's twin in the assembled configuration; returns running symbols to twins.
-    fn assembled_twins(&mut self, dyad: &Dyad<'_>) -> HashMap<Symbol, Expr> {
-        let mut map = self.assembled_map();
-        for (symbol, value, _) in &dyad.steps {
-            let value = self.g.substitute(*value, &map);
-            let position = dyad
-                .unknowns
-                .iter()
-                .find(|unknown| unknown.symbol == *symbol);
-            let twin = match position {
-                Some(unknown) => {
-                    let body = &self.model.bodies[unknown.body].name;
-                    let words = format!("position of `{body}` as assembled");
-                    self.define(unknown.assembled, value, words);
-                    unknown.assembled
-                }
-                None => {
-                    let text = format!("{}⁰", self.g.symbol_text(*symbol));
-                    let latex = self.g.symbol_latex(*symbol).to_owned();
-                    let is_function = latex.starts_with("\\cos ") || latex.starts_with("\\sin ");
-                    let latex = if is_function {
-                        format!("{latex}^0")
-                    } else {
-                        format!("{{{latex}}}^0")
-                    };
-                    let twin = self.names.symbol_with_latex(&mut self.g, &text, &latex);
-                    self.define(twin, value, "");
-                    twin
-                }
-            };
-            let twin = self.g.of(twin);
-            map.insert(*symbol, twin);
-        }
-        map
-    }
-
-    /// An angle counted from the assembled one, continuous over many turns.
-    fn count_turns(&mut self, unknown: &Dependent, [cos, sin]: [Expr; 2], [cos0, sin0]: [Expr; 2]) {
-        let name = self.model.bodies[unknown.body].name.clone();
-        let angle = self.g.atan2(sin0, cos0);
-        let angle = match self.guess(unknown.body).value {
-            Some(guess) => self.g.function(Function::Unwrap, &[angle, guess]),
-            None => angle,
-        };
-        self.define(
-            unknown.assembled,
-            angle,
-            format!("angle of `{name}` as assembled"),
-        );
-        let cross = self.cross_of([cos0, sin0], [cos, sin]);
-        let products = [(cos0, cos), (sin0, sin)].map(|(p, q)| self.g.mul(p, q));
-        let dot = self.g.add(products[0], products[1]);
-        let turned = self.g.atan2(cross, dot);
-        let reference = self.turn_reference(unknown);
-        let turned = self.g.function(Function::Unwrap, &[turned, reference]);
-        self.define(
-            unknown.shift,
-            turned,
-            format!("angle of `{name}` from the assembled one"),
-        );
-        let [start, shift] = [unknown.assembled, unknown.shift].map(|s| self.g.of(s));
-        let angle = self.g.add(start, shift);
-        self.define(unknown.symbol, angle, format!("angle of `{name}`"));
-    }
-
-    /// The discrete state that holds a variable's shift at the last accepted step.
-    pub(super) fn turn_reference(&mut self, unknown: &Dependent) -> Expr {
-        let name = self.model.bodies[unknown.body].name.clone();
-        let reference = self.names.symbol(&mut self.g, &format!("turn_{name}"));
-        self.g.mark_varying(reference);
-        let (what, suffix) = match unknown.kind {
-            Kind::Angle => ("angle", "turn"),
-            Kind::Position => ("position", "reference"),
-        };
-        let shift = self.g.of(unknown.shift);
-        let initial = self.g.zero();
-        self.discretes.push(Discrete {
-            name: format!("{name}.{suffix}"),
-            meaning: format!("{what} of `{name}` from the assembled one at the last accepted step"),
-            symbol: reference,
-            initial,
-            accepted: Some(shift),
-            turning: unknown.kind == Kind::Angle,
-        });
-        self.g.of(reference)
-    }
-
-    /// Which of two ways a loop can close is as drawn.
-    fn branch(&mut self, dyad: &Dyad<'_>, side: Option<Expr>) {
-        let Some(side) = side else {
-            let body = &self.model.bodies[dyad.unknowns[0].body];
-            let error = Diagnostic::error(format!(
-                "`{}` needs an angle or a place: the loop can close in two ways",
-                body.name
-            ))
-            .at(self.model.source.site(body.span))
-            .hint("add `angle = …` to a link or `at = …` to a slide, as you see it in the drawing; it need not be exact");
-            self.errors.push(error);
-            return;
-        };
-        let (plus, minus) = (self.g.one(), self.g.integer(-1));
-        let sign = self.g.function(Function::IfPositive, &[side, plus, minus]);
-        self.define(dyad.branch, sign, "which way the loop closes: as drawn");
-    }
-
-    /// A loop that cannot close says by how much, and what would.
-    fn closing_checks(
-        &mut self,
-        way: &Way,
-        dyad: &Dyad<'_>,
-        name: &str,
-        closure: Expr,
-        gap: Expr,
-        range: Option<[Expr; 2]>,
-    ) {
-        let bodies = [dyad.unknowns[0].body, dyad.unknowns[1].body];
-        let span = self.way_span(way, &bodies);
-        let metre = |value| Shown {
-            value,
-            unit: ShownUnit::Metre,
-        };
-        let first = self.model.bodies[bodies[0]].name.clone();
-        let mut values = vec![metre(gap)];
-        let hint = match range {
-            Some([least, most]) => {
-                values.extend([metre(least), metre(most)]);
-                format!(
-                    "`{first}` would need to be {{1}} to {{2}} long between its joints, or another link another length or angle"
-                )
-            }
-            None => "change a length, an angle or the place of a guide".to_owned(),
-        };
-        let coordinate = self
-            .structure
-            .way_bodies(self.model, way)
-            .into_iter()
-            .find(|body| self.variable(*body).coordinate.is_some());
-        let at = match coordinate {
-            Some(body) => {
-                let is_link = self.structure.turning_link(self.model, body) == Some(body);
-                let unit = if is_link {
-                    ShownUnit::Degree
-                } else {
-                    ShownUnit::Metre
-                };
-                let what = if is_link { "angle" } else { "position" };
-                values.push(Shown {
-                    value: self.variable(body).assembled,
-                    unit,
-                });
-                format!(
-                    " at `{}` {what} {{{}}}",
-                    self.model.bodies[body].name,
-                    values.len() - 1
-                )
-            }
-            None => String::new(),
-        };
-        let failure = self.failure(
-            format!("the loop {name} cannot close:{at} the gap is {{0}}"),
-            hint,
-            span,
-            values.clone(),
-        );
-        self.check(closure, true, failure);
-        let threshold = self.g.ratio(1, 1_000_000_000_000);
-        let margin = self.g.sub(closure, threshold);
-        let failure = self.failure(
-            format!("the loop {name} stands at a dead point:{at} two of its links lie in one line"),
-            "assemble it in another configuration: change an angle or a length",
-            span,
-            values,
-        );
-        self.check(margin, false, failure);
-    }
-
     /// A vector in its link's own frame.
     fn in_frame(&mut self, parts: &[Turned]) -> [Expr; 2] {
         [0, 3].map(|axis| {
@@ -603,22 +336,12 @@ impl Derivation<'_> {
                 .iter()
                 .map(|part| {
                     let turn = wave(&mut self.g, part.offset, part.quarter + axis);
-                    self.scaled(part, turn)
+                    let scale = self.scale(part);
+                    self.g.mul(scale, turn)
                 })
                 .collect();
             self.g.sum(&terms)
         })
-    }
-
-    fn scaled(&mut self, part: &Turned, turn: Expr) -> Expr {
-        let scaled = self.g.mul(part.magnitude, turn);
-        match part.slide {
-            Some(slide) => {
-                let position = self.variable(slide).value;
-                self.g.mul(scaled, position)
-            }
-            None => scaled,
-        }
     }
 
     /// Length of a vector of params; a bare param is taken to be positive, which a check ensures.
@@ -643,7 +366,7 @@ impl Derivation<'_> {
     }
 
     /// a × b of plain vectors.
-    fn cross_of(&mut self, a: [Expr; 2], b: [Expr; 2]) -> Expr {
+    pub(super) fn cross_of(&mut self, a: [Expr; 2], b: [Expr; 2]) -> Expr {
         let products = [(a[0], b[1]), (a[1], b[0])].map(|(p, q)| self.g.mul(p, q));
         self.g.sub(products[0], products[1])
     }

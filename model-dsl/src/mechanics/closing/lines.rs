@@ -85,13 +85,7 @@ impl Derivation<'_> {
             } else {
                 (String::new(), String::new())
             };
-            let magnitude = match part.slide {
-                Some(slide) => {
-                    let position = self.variable(slide).value;
-                    self.g.mul(magnitude, position)
-                }
-                None => magnitude,
-            };
+            let magnitude = self.scale(&Turned { magnitude, ..part });
             let written = self.factor_text(magnitude);
             text.push_str(&format!("{sign}{i_text}{}{}", written.0, exponential.0));
             latex.push_str(&format!("{sign}{i_latex}{}{}", written.1, exponential.1));

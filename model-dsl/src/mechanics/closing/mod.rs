@@ -16,6 +16,7 @@ mod expand;
 mod lines;
 mod parallel;
 mod rates;
+mod settle;
 mod together;
 mod variables;
 
@@ -70,8 +71,7 @@ impl Derivation<'_> {
                     sum.extend(forth);
                 }
                 Leg::Along { slide, outward } => {
-                    let mut along = self.guide(slide);
-                    along.iter_mut().for_each(|part| part.slide = Some(slide));
+                    let mut along = self.travelled(slide);
                     if !outward {
                         self.reverse(&mut along);
                     }
@@ -87,7 +87,7 @@ impl Derivation<'_> {
 
     /// Name of a loop by its bodies.
     pub(super) fn way_name(&self, way: &Way) -> String {
-        let bodies = self.structure.way_bodies(self.model, way);
+        let bodies = self.structure.way_bodies(way);
         crate::structure::loop_names(self.model, &bodies)
     }
 

@@ -4,6 +4,8 @@
 //! unknown links turn with the opposite ones: they get the same angle, no root, and no trouble
 //! where all four lie in one line. A further parallel leg is then a joint that holds by itself.
 
+use std::collections::HashSet;
+
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::equations::Line;
@@ -11,8 +13,8 @@ use crate::model::BodyId;
 use crate::structure::Way;
 use crate::symbolic::{Evaluator, Expr, Function};
 
+use super::super::Derivation;
 use super::super::turned::Turned;
-use super::super::{Definition, Derivation};
 use super::variables::Dependent;
 
 /// A link that turns with another, or with the fixed frame, some quarter turns ahead.
@@ -274,9 +276,15 @@ impl Derivation<'_> {
         for param in &self.model.params {
             evaluator.define(param.symbol, param.default);
         }
-        for definition in &self.definitions {
-            if let Definition::Value { symbol, value, .. } = definition {
-                evaluator.define(*symbol, *value);
+        // Only what the expression leads to: this is asked for each loop.
+        let mut seen = HashSet::new();
+        let mut stack = self.g.symbols_in(&[expr]);
+        while let Some(symbol) = stack.pop() {
+            if seen.insert(symbol)
+                && let Some(&value) = self.values.get(&symbol)
+            {
+                evaluator.define(symbol, value);
+                stack.extend(self.g.symbols_in(&[value]));
             }
         }
         evaluator.value(expr)

@@ -6,6 +6,7 @@
 
 use crate::equations::{Line, Partial};
 use crate::model::BodyId;
+use crate::structure::turning_link;
 use crate::symbolic::{Expr, Symbol};
 
 use super::super::Derivation;
@@ -77,14 +78,6 @@ impl Derivation<'_> {
         }
     }
 
-    /// Total derivatives along a coordinate.
-    pub(super) fn along(&mut self, values: &[Expr], index: usize) -> Vec<Expr> {
-        let rates = std::mem::take(&mut self.rates[index]);
-        let derivatives = self.g.derivatives(values, &rates);
-        self.rates[index] = rates;
-        derivatives
-    }
-
     /// Names the rate of a variable by a coordinate.
     pub(super) fn dependent_rate(
         &mut self,
@@ -95,7 +88,7 @@ impl Derivation<'_> {
     ) -> Symbol {
         let name = self.variable_name(body);
         let symbol = self.rate_symbol(&name, index);
-        let is_link = self.structure.turning_link(self.model, body) == Some(body);
+        let is_link = turning_link(self.model, body) == Some(body);
         let words = format!(
             "rate of the {} of `{}` per unit rate of `{}`",
             if is_link { "angle" } else { "position" },
@@ -148,7 +141,7 @@ impl Derivation<'_> {
         } else {
             ""
         };
-        let name = if self.leading_coordinates() > 1 {
+        let name = if self.several_lead {
             let body = self.coordinates[index].body;
             format!("{letter}{separator}{sub}_{}", self.model.bodies[body].name)
         } else {
@@ -157,18 +150,12 @@ impl Derivation<'_> {
         self.names.symbol(&mut self.g, &name)
     }
 
-    /// Number of coordinates that take part in a loop.
-    fn leading_coordinates(&self) -> usize {
-        let leads = |body: BodyId| self.structure.in_loop(self.model, body);
-        self.coordinates.iter().filter(|c| leads(c.body)).count()
-    }
-
     fn second_rate_symbol(&mut self, rate: Symbol, index: usize) -> Symbol {
         let (text, latex) = (
             self.g.symbol_text(rate).to_owned(),
             self.g.symbol_latex(rate).to_owned(),
         );
-        let (text, latex) = if self.leading_coordinates() > 1 {
+        let (text, latex) = if self.several_lead {
             let q = self.coordinates[index].symbol;
             (
                 format!("∂{text}/∂{}", self.g.symbol_text(q)),

@@ -1,5 +1,6 @@
 //! Hinges: torsion spring and damper on the relative angle of two bodies.
 
+use crate::structure::turning_link;
 use crate::symbolic::{Expr, Function};
 
 use super::super::Derivation;
@@ -11,7 +12,7 @@ impl Derivation<'_> {
     pub(super) fn hinge(&mut self, index: usize, inertia: &Inertia, laws: &mut Laws) {
         let hinge = self.model.hinges[index].clone();
         let (first, second) = hinge.bodies;
-        let [a, b] = [first, second].map(|body| self.structure.turning_link(self.model, body));
+        let [a, b] = [first, second].map(|body| turning_link(self.model, body));
         let [shift_a, shift_b] = [a, b].map(|link| match link {
             Some(link) => self.variable(link).shift,
             None => self.g.zero(),

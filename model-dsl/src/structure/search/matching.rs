@@ -42,7 +42,7 @@ impl Search<'_> {
         };
         let mut equations = Vec::new();
         for way in ways {
-            let passed = structure.way_bodies(self.model, &way);
+            let passed = structure.way_bodies(&way);
             let turns = passed
                 .iter()
                 .filter_map(|body| turning_link(self.model, *body));
