@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::blocks::in_blocks;
 use super::body::{Body, Writer};
 use super::expression::{ident, unsuffixed};
 use crate::program::Function;
@@ -142,7 +143,7 @@ fn arguments(writer: &Writer<'_>, takes: Takes) -> TokenStream {
 fn assignments(writer: &Writer<'_>, function: &Function, out: &str) -> Vec<TokenStream> {
     let mut body = Body::generic(writer);
     assign(writer, &mut body, function, out);
-    body.finish()
+    in_blocks(body.finish())
 }
 
 fn assign(writer: &Writer<'_>, body: &mut Body<'_, '_>, function: &Function, out: &str) {

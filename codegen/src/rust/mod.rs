@@ -9,6 +9,7 @@
 //! carried as attributes that only the printer knows. A `let` is written for what the equations
 //! name and for what is used more than once; the rest is nested.
 
+mod blocks;
 mod body;
 mod expression;
 mod function;
