@@ -26,7 +26,7 @@ struct Trial {
     smooth: bool,
 }
 
-const TRIALS: [Trial; 16] = [
+const TRIALS: [Trial; 17] = [
     Trial {
         name: "andrews",
         until: 0.02,
@@ -127,6 +127,13 @@ const TRIALS: [Trial; 16] = [
     },
     Trial {
         name: "three_rrr",
+        until: 40e-3,
+        step: 4e-4,
+        halvings: 3,
+        smooth: true,
+    },
+    Trial {
+        name: "three_rrr_cranks",
         until: 40e-3,
         step: 4e-4,
         halvings: 3,

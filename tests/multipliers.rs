@@ -350,6 +350,7 @@ fn linkages_and_stages() {
         "six_bar",
         "slider_crank",
         "three_rrr",
+        "three_rrr_cranks",
         "xy_stage",
     ];
     let mut random = Random::new(31);

@@ -1,5 +1,5 @@
-//! The golden modules compile without a warning and compute what the oracle computes; their
-//! Jacobians are those of dual numbers.
+//! The golden modules, and those of models that are too long for one, compile without a warning and
+//! compute what the oracle computes; their Jacobians are those of dual numbers.
 
 #![deny(warnings)]
 #![forbid(unsafe_code)]
@@ -101,49 +101,56 @@ fn equations(name: &str) -> Equations {
         .expect("a model of that name")
 }
 
+/// A test of a compiled module against the model that it was made of.
+macro_rules! compiled {
+    ($test:ident: $name:ident in $($module:ident)::+) => {
+        #[test]
+        fn $test() {
+            use $($module)::+::$name::{Params, Prepared, VARIABLES, rhs};
+            let params = Params::default();
+            let prepared = match params.prepare() {
+                Ok(prepared) => prepared,
+                Err(diagnostic) => panic!("{diagnostic}"),
+            };
+            let name = stringify!($name);
+            assert!(VARIABLES.len() >= prepared.states().len());
+            compare(&equations(name), &params.values(), &prepared, 200);
+            compare_refusals(name, &params.values(), &|values| {
+                let values = values.try_into().expect("as many values as params");
+                match Params::from_values(values).prepare() {
+                    Ok(prepared) => Ok(start(&prepared)),
+                    Err(diagnostic) => Err(diagnostic.to_string()),
+                }
+            });
+            let dual: Prepared<Dual> = prepared.map(Dual::from_f64);
+            compare_jacobian(name, &prepared, &|place, column| {
+                let constant = |list: &[f64]| -> Vec<Dual> {
+                    list.iter().copied().map(Dual::from_f64).collect()
+                };
+                let mut x = constant(&place.x);
+                x[column].rate = 1.0;
+                let mut result = vec![Dual::default(); x.len()];
+                rhs(
+                    Dual::from_f64(place.t),
+                    x.as_slice().try_into().expect("states"),
+                    constant(&place.d).as_slice().try_into().expect("discrete states"),
+                    constant(&place.u).as_slice().try_into().expect("inputs"),
+                    &dual,
+                    result.as_mut_slice().try_into().expect("rates"),
+                );
+                result
+            });
+        }
+    };
+}
+
 macro_rules! golden {
     ($($test:ident: $name:ident in $file:ident at $path:literal,)*) => {
         $(
             #[path = $path]
             mod $file;
 
-            #[test]
-            fn $test() {
-                use $file::$name::{Params, Prepared, VARIABLES, rhs};
-                let params = Params::default();
-                let prepared = match params.prepare() {
-                    Ok(prepared) => prepared,
-                    Err(diagnostic) => panic!("{diagnostic}"),
-                };
-                let name = stringify!($name);
-                assert!(VARIABLES.len() >= prepared.states().len());
-                compare(&equations(name), &params.values(), &prepared, 200);
-                compare_refusals(name, &params.values(), &|values| {
-                    let values = values.try_into().expect("as many values as params");
-                    match Params::from_values(values).prepare() {
-                        Ok(prepared) => Ok(start(&prepared)),
-                        Err(diagnostic) => Err(diagnostic.to_string()),
-                    }
-                });
-                let dual: Prepared<Dual> = prepared.map(Dual::from_f64);
-                compare_jacobian(name, &prepared, &|place, column| {
-                    let constant = |list: &[f64]| -> Vec<Dual> {
-                        list.iter().copied().map(Dual::from_f64).collect()
-                    };
-                    let mut x = constant(&place.x);
-                    x[column].rate = 1.0;
-                    let mut result = vec![Dual::default(); x.len()];
-                    rhs(
-                        Dual::from_f64(place.t),
-                        x.as_slice().try_into().expect("states"),
-                        constant(&place.d).as_slice().try_into().expect("discrete states"),
-                        constant(&place.u).as_slice().try_into().expect("inputs"),
-                        &dual,
-                        result.as_mut_slice().try_into().expect("rates"),
-                    );
-                    result
-                });
-            }
+            compiled!($test: $name in $file);
         )*
 
         #[test]
@@ -176,3 +183,6 @@ golden! {
     slider_crank_by_hand: slider_crank_by_hand in slider_crank_by_hand_golden at "golden/slider_crank_by_hand.rs",
     xy_stage: xy_stage in xy_stage_golden at "golden/xy_stage.rs",
 }
+
+compiled!(three_rrr: three_rrr in flexure_models);
+compiled!(three_rrr_cranks: three_rrr_cranks in flexure_models);

@@ -114,6 +114,29 @@ impl Model {
     }
 }
 
+impl Model {
+    /// Names of a body's coordinate and of its rate: `crank.angle` and `crank.rate`, `stage.x` and
+    /// `stage.v`, `platform.P.x` and `platform.P.vx`.
+    pub fn coordinate_names(&self, body: BodyId) -> [String; 2] {
+        let name = &self.bodies[body].name;
+        match &self.bodies[body].kind {
+            BodyKind::Link(_) => [format!("{name}.angle"), format!("{name}.rate")],
+            BodyKind::Slide(Slide {
+                traces: Some(_), ..
+            }) => {
+                let (point, axis) = name.rsplit_once('.').unwrap_or((name, ""));
+                [name.clone(), format!("{point}.v{axis}")]
+            }
+            BodyKind::Slide(_) | BodyKind::Ground => [format!("{name}.x"), format!("{name}.v")],
+        }
+    }
+
+    /// Whether a body stands for the coordinate of a point instead of a part of the mechanism.
+    pub fn is_traced(&self, body: BodyId) -> bool {
+        matches!(&self.bodies[body].kind, BodyKind::Slide(slide) if slide.traces.is_some())
+    }
+}
+
 /// Something that was assumed: `crank` `has the inertia of a slender bar`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
@@ -353,6 +376,9 @@ pub struct Slide {
     pub located: bool,
     /// Position along the guide from `origin` as assembled, of params.
     pub at: Guess,
+    /// The point (position in [`Model::points`]) whose coordinate 0 (x) or 1 (y) in the fixed frame
+    /// the slide stands for, because the user wants it as a coordinate: without mass, never drawn.
+    pub traces: Option<(usize, usize)>,
 }
 
 /// A value of params that is exact or only picks the branch.

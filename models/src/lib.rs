@@ -1,5 +1,4 @@
-//! The models of this repository, each compiled by the macro to a module of its own; all but
-//! `three_rrr`, whose unrolled Newton steps are more than the Rust compiler takes in one function.
+//! The models of this repository, each compiled by the macro to a module of its own.
 //!
 //! ```
 //! use flexure_models::pendulum::Params;
@@ -28,4 +27,6 @@ flexure_macros::include_model!(::flexure_runtime, "parallelogram_stage.flex");
 flexure_macros::include_model!(::flexure_runtime, "pendulum.flex");
 flexure_macros::include_model!(::flexure_runtime, "six_bar.flex");
 flexure_macros::include_model!(::flexure_runtime, "slider_crank.flex");
+flexure_macros::include_model!(::flexure_runtime, "three_rrr.flex");
+flexure_macros::include_model!(::flexure_runtime, "three_rrr_cranks.flex");
 flexure_macros::include_model!(::flexure_runtime, "xy_stage.flex");

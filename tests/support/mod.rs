@@ -15,7 +15,7 @@ pub mod multipliers;
 pub mod oracle;
 pub mod random;
 
-use flexure_model_dsl::model::{BodyId, BodyKind, Model};
+use flexure_model_dsl::model::{BodyId, Model};
 use flexure_model_dsl::source::Source;
 use flexure_runtime::tape::{TapeModel, TapePrepared};
 
@@ -120,21 +120,11 @@ impl Compiled {
     /// its rate in the state.
     pub fn coordinates(&self) -> Vec<(BodyId, usize, usize)> {
         let states = &self.oracle.equations.states;
-        let find = |body: &str, suffixes: &[&str]| {
-            states.iter().position(|state| {
-                let suffix = state.name.strip_prefix(body);
-                suffix.is_some_and(|s| suffixes.contains(&s))
-            })
-        };
+        let find = |name: String| states.iter().position(|state| state.name == name);
         let mut found = Vec::new();
-        for (index, body) in self.model.bodies.iter().enumerate() {
-            let (values, rates): (&[&str], &[&str]) = match body.kind {
-                BodyKind::Ground => continue,
-                BodyKind::Link(_) => (&[".angle"], &[".rate"]),
-                BodyKind::Slide(_) => (&[".x", ".travel"], &[".v"]),
-            };
-            if let (Some(value), Some(rate)) = (find(&body.name, values), find(&body.name, rates)) {
-                found.push((index, value, rate));
+        for body in 1..self.model.bodies.len() {
+            if let [Some(value), Some(rate)] = self.model.coordinate_names(body).map(find) {
+                found.push((body, value, rate));
             }
         }
         found.sort_by_key(|(_, value, _)| *value);

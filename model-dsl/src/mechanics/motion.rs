@@ -505,24 +505,23 @@ impl Derivation<'_> {
         let mut states = Vec::new();
         for coordinate in self.coordinates.clone() {
             let body = &self.model.bodies[coordinate.body];
-            let is_link = matches!(body.kind, BodyKind::Link(_));
-            let (names, units) = if is_link {
-                (["angle", "rate"], ["rad", "rad/s"])
-            } else {
-                (["x", "v"], ["m", "m/s"])
-            };
-            let meanings = if is_link {
-                ["angle", "angular rate"]
-            } else {
-                ["position", "velocity"]
+            let names = self.model.coordinate_names(coordinate.body);
+            let (units, words) = match &body.kind {
+                BodyKind::Link(_) => (["rad", "rad/s"], ["angle of", "angular rate of"]),
+                BodyKind::Slide(_) | BodyKind::Ground if self.model.is_traced(coordinate.body) => {
+                    (["m", "m/s"], ["coordinate", "rate of coordinate"])
+                }
+                BodyKind::Slide(_) | BodyKind::Ground => {
+                    (["m", "m/s"], ["position of", "velocity of"])
+                }
             };
             let start = self.variable(coordinate.body).assembled;
             let rates = [coordinate.rate, coordinate.acceleration].map(|s| self.g.of(s));
             for i in [0, 1] {
                 states.push(State {
-                    name: format!("{}.{}", body.name, names[i]),
+                    name: names[i].clone(),
                     unit: units[i].to_owned(),
-                    meaning: format!("{} of `{}`", meanings[i], body.name),
+                    meaning: format!("{} `{}`", words[i], body.name),
                     symbol: [coordinate.symbol, coordinate.rate][i],
                     initial: [start, zero][i],
                     rate: rates[i],

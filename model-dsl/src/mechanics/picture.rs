@@ -12,6 +12,9 @@ impl Derivation<'_> {
         let mut drawing = Drawing::default();
         let zero = self.g.zero();
         for body in 1..self.model.bodies.len() {
+            if self.model.is_traced(body) {
+                continue;
+            }
             let name = self.model.bodies[body].name.clone();
             match self.model.bodies[body].kind.clone() {
                 BodyKind::Link(link) => {
@@ -45,12 +48,17 @@ impl Derivation<'_> {
         }
         for pin in self.model.pins.clone() {
             let grounded = pin.members.iter().any(|(body, _)| *body == GROUND);
+            let joins = pin
+                .members
+                .iter()
+                .filter(|(body, _)| !self.model.is_traced(*body));
+            let is_joint = joins.count() > 1;
             let (body, at) = pin.members[0];
             let at = self.assembled_at(body, at);
             drawing.marks.push(Mark {
                 name: pin.name,
                 at,
-                pin: Some(grounded),
+                pin: is_joint.then_some(grounded),
             });
         }
         for point in self.model.points.clone() {

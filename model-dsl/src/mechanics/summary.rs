@@ -44,10 +44,13 @@ impl Derivation<'_> {
                 let members: Vec<&str> = pin
                     .members
                     .iter()
-                    .map(|(b, _)| self.model.bodies[*b].name.as_str())
+                    .filter(|(body, _)| !self.model.is_traced(*body))
+                    .map(|(body, _)| self.model.bodies[*body].name.as_str())
                     .collect();
-                format!("{} ({})", pin.name, members.join(", "))
+                (pin, members)
             })
+            .filter(|(_, members)| members.len() > 1)
+            .map(|(pin, members)| format!("{} ({})", pin.name, members.join(", ")))
             .collect();
         fact(
             "pins",
@@ -82,14 +85,15 @@ impl Derivation<'_> {
                 "moves on its own"
             };
             let start = self.variable(coordinate.body).assembled;
-            let (measure, unit, held) = match &body.kind {
-                BodyKind::Link(link) => ("angle", ShownUnit::Degree, held(link.angle)),
-                BodyKind::Slide(slide) => ("x", ShownUnit::Metre, held(slide.at)),
-                BodyKind::Ground => ("x", ShownUnit::Metre, "assembled"),
+            let (unit, held) = match &body.kind {
+                BodyKind::Link(link) => (ShownUnit::Degree, held(link.angle)),
+                BodyKind::Slide(slide) => (ShownUnit::Metre, held(slide.at)),
+                BodyKind::Ground => (ShownUnit::Metre, "assembled"),
             };
+            let [name, _] = self.model.coordinate_names(coordinate.body);
             fact(
                 "coordinate",
-                format!("{}.{measure} ({reason}), {held} at {{0}}", body.name),
+                format!("{name} ({reason}), {held} at {{0}}"),
                 vec![(start, unit)],
             );
         }
@@ -112,12 +116,13 @@ impl Derivation<'_> {
         let mut closed = Vec::new();
         for body in self.structure.steps.iter().flat_map(|step| step.unknowns()) {
             let assembled = self.variable(body).assembled;
-            let (measure, what, unit, guess) = match &self.model.bodies[body].kind {
-                BodyKind::Link(link) => ("angle", "angle", ShownUnit::Degree, link.angle.value),
-                BodyKind::Slide(slide) => ("x", "position", ShownUnit::Metre, slide.at.value),
+            let (what, unit, guess) = match &self.model.bodies[body].kind {
+                BodyKind::Link(link) => ("angle", ShownUnit::Degree, link.angle.value),
+                BodyKind::Slide(slide) => ("position", ShownUnit::Metre, slide.at.value),
                 BodyKind::Ground => continue,
             };
-            let mut words = format!("{}.{measure} closes at {{0}}", self.model.bodies[body].name);
+            let [name, _] = self.model.coordinate_names(body);
+            let mut words = format!("{name} closes at {{0}}");
             let mut values = vec![(assembled, unit)];
             if let Some(guess) = guess {
                 let off = self.g.sub(assembled, guess);
@@ -152,11 +157,10 @@ impl Derivation<'_> {
     }
 
     fn bodies(&self, wanted: impl Fn(&BodyKind) -> bool) -> Vec<String> {
-        self.model
-            .bodies
-            .iter()
-            .filter(|b| wanted(&b.kind))
-            .map(|b| b.name.clone())
+        let bodies = self.model.bodies.iter().enumerate();
+        bodies
+            .filter(|(id, body)| wanted(&body.kind) && !self.model.is_traced(*id))
+            .map(|(_, body)| body.name.clone())
             .collect()
     }
 }

@@ -26,6 +26,7 @@ mod names;
 mod naming;
 mod order;
 mod points;
+mod poses;
 mod quantities;
 mod results;
 mod slides;

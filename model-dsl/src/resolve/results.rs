@@ -16,12 +16,14 @@ impl Resolver<'_> {
         let mut outputs: BTreeMap<&str, Span> = BTreeMap::new();
         let mut start: Option<Span> = None;
         for item in &file.items {
-            match &item.kind {
-                ItemKind::Coordinates(paths) => {
-                    for path in paths {
-                        let _ = self.coordinate(path);
-                    }
+            if let ItemKind::Coordinates(paths) = &item.kind {
+                for path in paths {
+                    let _ = self.coordinate(path);
                 }
+            }
+        }
+        for item in &file.items {
+            match &item.kind {
                 ItemKind::Initials(initials) => {
                     for (path, value) in initials {
                         let _ = self.initial(path, value);
@@ -67,10 +69,15 @@ impl Resolver<'_> {
 
     fn coordinate(&mut self, path: &Path) -> Resolved<()> {
         let (measure, _) = self.measure_of(path, "`crank.angle`")?;
-        let Some(body) = self.coordinate_body(measure) else {
-            let message = format!("`{}` cannot be a coordinate", path.text());
-            let hint = "a coordinate is the angle of a link, or the travel of a slide";
-            return Err(self.error(path.span, message, hint));
+        let body = match (measure, self.coordinate_body(measure)) {
+            (Measure::PointPosition(point, axis), _) => self.traced(point, axis, path)?,
+            (_, Some(body)) => body,
+            (_, None) => {
+                let message = format!("`{}` cannot be a coordinate", path.text());
+                let hint = "a coordinate is the angle of a link, the travel of a slide, \
+                            or x or y of a point";
+                return Err(self.error(path.span, message, hint));
+            }
         };
         if self
             .model
@@ -110,7 +117,12 @@ impl Resolver<'_> {
     }
 
     fn initial(&mut self, path: &Path, value: &Expression) -> Resolved<()> {
-        let (measure, dimension) = self.measure_of(path, "`initial crank.rate = 20 rad/s`")?;
+        let (mut measure, dimension) = self.measure_of(path, "`initial crank.rate = 20 rad/s`")?;
+        if let Measure::PointVelocity(point, axis) = measure
+            && let Some(body) = self.tracing(point, axis)
+        {
+            measure = Measure::Velocity(body);
+        }
         let wanted = match measure {
             Measure::AngleRate(_) => wanted::ANGULAR_RATE,
             Measure::Velocity(_) => wanted::VELOCITY,

@@ -72,6 +72,7 @@ impl Resolver<'_> {
             origin: origin?,
             located,
             at,
+            traces: None,
         })
     }
 

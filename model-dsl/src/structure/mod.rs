@@ -157,8 +157,8 @@ impl Step {
 pub struct Structure {
     /// How each body is placed, by body.
     pub attachments: Vec<Attachment>,
-    /// Independent coordinates, each a link (its angle) or a slide (its position), in the order of
-    /// the file.
+    /// Independent coordinates, each a link (its angle) or a slide (its position): those that were
+    /// asked for in the order in which they were, then the others in the order of the file.
     pub coordinates: Vec<BodyId>,
     /// Whether the user asked for each coordinate.
     pub asked: Vec<bool>,
@@ -304,7 +304,8 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
                 .hint("remove a link, or let one of them end in a point of its own"),
         ]);
     }
-    coordinates.sort_unstable();
+    // Those that were asked for lead, in the order in which they were.
+    coordinates[asked.len()..].sort_unstable();
     let structure = Structure {
         attachments: search.attachments(),
         asked: coordinates
@@ -442,6 +443,7 @@ fn asked(model: &Model, components: &[Component]) -> Result<Vec<BodyId>, Vec<Dia
 pub(crate) fn loop_names(model: &Model, bodies: &[BodyId]) -> String {
     let names: Vec<&str> = bodies
         .iter()
+        .filter(|body| !model.is_traced(**body))
         .map(|b| model.bodies[*b].name.as_str())
         .collect();
     names.join("–")

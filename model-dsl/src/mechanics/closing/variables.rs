@@ -1,7 +1,7 @@
 //! The variables of the mechanism: symbols for coordinates and for what loops determine.
 
 use crate::equations::Partial;
-use crate::model::{BodyId, BodyKind, Guess, Link};
+use crate::model::{BodyId, BodyKind, Guess, Link, Slide};
 use crate::symbolic::{Expr, Symbol};
 
 use super::super::names::{accented, accented_latex};
@@ -130,6 +130,10 @@ impl Derivation<'_> {
                 ..
             }) => symbol.clone(),
             BodyKind::Link(_) => format!("φ_{name}"),
+            BodyKind::Slide(Slide {
+                traces: Some((point, axis)),
+                ..
+            }) => format!("{}_{}", ["x", "y"][*axis], self.model.points[*point].name),
             BodyKind::Slide(_) | BodyKind::Ground => format!("x_{name}"),
         }
     }
