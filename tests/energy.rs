@@ -151,7 +151,7 @@ const TRIALS: [Trial; 17] = [
 ];
 
 /// The mechanisms made for tests.
-const MORE_TRIALS: [Trial; 5] = [
+const MORE_TRIALS: [Trial; 7] = [
     Trial {
         name: "cart_pole",
         until: 0.3,
@@ -167,6 +167,13 @@ const MORE_TRIALS: [Trial; 5] = [
         smooth: true,
     },
     Trial {
+        name: "held_by_springs",
+        until: 0.1,
+        step: 4e-4,
+        halvings: 3,
+        smooth: true,
+    },
+    Trial {
         name: "pressing_arm",
         until: 4e-3,
         step: 2e-6,
@@ -177,6 +184,13 @@ const MORE_TRIALS: [Trial; 5] = [
         name: "slide_on_link",
         until: 0.05,
         step: 1e-4,
+        halvings: 3,
+        smooth: true,
+    },
+    Trial {
+        name: "two_link_arm",
+        until: 0.06,
+        step: 6e-4,
         halvings: 3,
         smooth: true,
     },

@@ -62,12 +62,15 @@ pub fn shipped(name: &str) -> Compiled {
 }
 
 /// Mechanisms made for tests, in `tests/mechanisms`: guides that turn, coupled inertia, slides that
-/// carry links and slides, contacts between slides and contacts that lift off, repeated parts.
-pub const MECHANISMS: [&str; 5] = [
+/// carry links and slides, contacts between slides and contacts that lift off, repeated parts,
+/// bodies that springs alone hold, coordinates of points.
+pub const MECHANISMS: [&str; 7] = [
     "cart_pole",
     "chain",
+    "held_by_springs",
     "pressing_arm",
     "slide_on_link",
+    "two_link_arm",
     "xy_stage",
 ];
 

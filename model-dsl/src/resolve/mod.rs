@@ -162,6 +162,7 @@ impl<'a> Resolver<'a> {
         self.springs(file);
         self.loads(file);
         self.results(file);
+        self.free_bodies();
         self.unused(file);
     }
 

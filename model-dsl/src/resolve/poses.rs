@@ -8,38 +8,89 @@
 //! ground ──x──▶ guide ──y──▶ guide ⊙ P of the platform
 //! ```
 //!
+//! Bodies that no joint leads to, held by springs and contacts alone, get theirs in the same way.
 //! Whatever closes loops then needs to know nothing of points: with both coordinates and the
 //! platform's angle the platform is placed, with one of them the other follows from a loop.
 
 use super::{Reported, Resolved, Resolver};
 use crate::model::{Body, BodyId, BodyKind, GROUND, Guess, Local, Pin, Slide};
+use crate::source::Span;
 use crate::symbolic::Expr;
 use crate::syntax::tree::Path;
 
 impl Resolver<'_> {
-    /// The slide whose position is coordinate 0 (x) or 1 (y) of a point, made if there is none.
+    /// The slide that stands for coordinate 0 (x) or 1 (y) of the point that `path` names.
     pub(super) fn traced(&mut self, point: usize, axis: usize, path: &Path) -> Resolved<BodyId> {
+        let owner: Vec<&str> = path.parts[..path.parts.len() - 1]
+            .iter()
+            .map(|part| part.text.as_str())
+            .collect();
+        self.trace(point, axis, &owner.join("."), path.span)
+    }
+
+    /// Bodies that springs and contacts alone hold move freely: x and y of a point of theirs become
+    /// coordinates beside their angle.
+    pub(super) fn free_bodies(&mut self) {
+        if self.failed() {
+            return;
+        }
+        let mut joints = Groups::new(self.model.bodies.len());
+        for pin in &self.model.pins {
+            for pair in pin.members.windows(2) {
+                joints.join(pair[0].0, pair[1].0);
+            }
+        }
+        for (body, known) in self.model.bodies.iter().enumerate() {
+            if let BodyKind::Slide(slide) = &known.kind {
+                joints.join(body, slide.carrier);
+            }
+        }
+        let mut held = joints.clone();
+        for spring in &self.model.springs {
+            held.join(spring.first.body, spring.second.body);
+        }
+        for contact in &self.model.contacts {
+            held.join(contact.first.body, contact.second.body);
+        }
+        let mut free = Vec::new();
+        for body in 1..self.model.bodies.len() {
+            // Each group is led by its first body.
+            if joints.lead(body) == body && held.lead(body) == GROUND {
+                free.push(body);
+            }
+        }
+        for body in free {
+            let BodyKind::Link(link) = &self.model.bodies[body].kind else {
+                continue;
+            };
+            if let Some(&point) = self.point_index.get(&link.first) {
+                let owner = format!("{}.{}", self.model.bodies[body].name, link.first);
+                let _ = self.trace(point, 0, &owner, self.model.bodies[body].span);
+            }
+        }
+    }
+
+    /// The slide whose position is coordinate `axis` of a point, made if there is none.
+    fn trace(&mut self, point: usize, axis: usize, owner: &str, span: Span) -> Resolved<BodyId> {
         if let Some(known) = self.tracing(point, axis) {
             return Ok(known);
         }
         let named = self.model.points[point].clone();
         if named.body == GROUND {
             let message = format!("`{}` stands on ground", named.name);
-            let hint = "name a point of a body that moves";
-            return Err(self.error(path.span, message, hint));
+            return Err(self.error(span, message, "name a point of a body that moves"));
         }
         let Some(drawn) = self.drawn_point(point) else {
-            let message = format!("nothing says where `{}` is drawn", named.name);
-            let hint = format!("draw it: `point {} = (X, Y)`", named.name);
-            return Err(self.error(path.span, message, hint));
+            let message = format!("nothing says where `{}` is", named.name);
+            let hint = format!(
+                "no joint of `{}` leads to ground: draw the point, `point {} = (X, Y)`",
+                self.body_name(named.body),
+                named.name
+            );
+            return Err(self.error(span, message, hint));
         };
         let exact = self.places[self.place_index[&named.name]].drawn.is_some();
         let (zero, one) = (self.model.graph.zero(), self.model.graph.one());
-        let owner = path.parts[..path.parts.len() - 1]
-            .iter()
-            .map(|part| part.text.as_str())
-            .collect::<Vec<_>>()
-            .join(".");
         let mut carrier = GROUND;
         for axis in [axis, 1 - axis] {
             self.model.bodies.push(Body {
@@ -52,12 +103,12 @@ impl Resolver<'_> {
                     at: Guess {
                         value: Some(drawn[axis]),
                         exact,
-                        span: path.span,
+                        span,
                     },
                     traces: Some((point, axis)),
                 }),
                 masses: Vec::new(),
-                span: path.span,
+                span,
             });
             carrier = self.model.bodies.len() - 1;
         }
@@ -181,5 +232,28 @@ impl Resolver<'_> {
                 g.add(from[axis], by[axis])
             }
         })
+    }
+}
+
+/// Bodies in groups, each led by its first.
+#[derive(Clone)]
+struct Groups(Vec<BodyId>);
+
+impl Groups {
+    fn new(bodies: usize) -> Self {
+        Self((0..bodies).collect())
+    }
+
+    fn lead(&self, body: BodyId) -> BodyId {
+        let mut lead = body;
+        while self.0[lead] != lead {
+            lead = self.0[lead];
+        }
+        lead
+    }
+
+    fn join(&mut self, a: BodyId, b: BodyId) {
+        let (a, b) = (self.lead(a), self.lead(b));
+        self.0[a.max(b)] = a.min(b);
     }
 }
