@@ -219,10 +219,12 @@ fn break_position(line: &str, hanging: usize) -> Option<usize> {
             ' ' if column > hanging + 8 => {
                 let next = &line[at + 1..];
                 let operator = ["+ ", "- ", "/ ", "= ", "> ", "then ", "else "];
+                // A fraction is held together more than the sum that it stands in.
+                let level = 2 * depth + i32::from(next.starts_with("/ "));
                 if operator.iter().any(|o| next.starts_with(o))
-                    && best.is_none_or(|(known, _)| depth <= known)
+                    && best.is_none_or(|(known, _)| level <= known)
                 {
-                    best = Some((depth, at));
+                    best = Some((level, at));
                 }
                 blank = Some(at);
             }

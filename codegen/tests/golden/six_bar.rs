@@ -2281,11 +2281,11 @@ Constants
   r6  = ½ l6          distance of the centre of mass from the first end of output_rocker
   I6  = 1/12 m6 l6²   moment of inertia about the centre of mass of output_rocker
   φ1⁰ = 7/18 π        angle of `crank` as assembled
-  ε1  = sign((X1⁰ sin(1/12 π) - Y1⁰ cos(1/12 π)) / l2 + (X1⁰ sin(29/60 π) - Y1⁰ cos(29/60 π))
-          / l3)
+  ε1  = sign((X1⁰ sin(1/12 π) - Y1⁰ cos(1/12 π)) / l2
+          + (X1⁰ sin(29/60 π) - Y1⁰ cos(29/60 π)) / l3)
         which way the loop closes: as drawn
-  ε2  = sign((X2⁰ sin(0.2 π) - Y2⁰ cos(0.2 π)) / l5 + (X2⁰ sin(37/60 π) - Y2⁰ cos(37/60 π))
-          / l6)
+  ε2  = sign((X2⁰ sin(0.2 π) - Y2⁰ cos(0.2 π)) / l5
+          + (X2⁰ sin(37/60 π) - Y2⁰ cos(37/60 π)) / l6)
         which way the loop closes: as drawn
   g   = 9.81          acceleration of gravity
 

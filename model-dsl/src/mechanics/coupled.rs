@@ -18,18 +18,16 @@ struct Slopes {
 impl Derivation<'_> {
     /// h_i = Σ_jk (∂M_ij/∂q_k - ½ ∂M_jk/∂q_i) q̇_j q̇_k.
     pub(super) fn velocity_terms(&mut self, index: usize, inertia: &Inertia) -> Expr {
-        self.christoffel(index, inertia, &mut |this, (j, k), by| {
+        self.christoffel(index, inertia, |this, (j, k), by| {
             this.gradient(inertia.matrix[j][k])[by]
         })
     }
 
     /// The same by derivatives of M's entries as `slope` gives them: each pair of rates once.
-    fn christoffel(
-        &mut self,
-        index: usize,
-        inertia: &Inertia,
-        slope: &mut dyn FnMut(&mut Self, (usize, usize), usize) -> Expr,
-    ) -> Expr {
+    fn christoffel<F>(&mut self, index: usize, inertia: &Inertia, mut slope: F) -> Expr
+    where
+        F: FnMut(&mut Self, (usize, usize), usize) -> Expr,
+    {
         let mut pairs: Vec<(usize, usize)> = inertia
             .concerning(index)
             .into_iter()
@@ -123,7 +121,7 @@ impl Derivation<'_> {
         let terms: Vec<Expr> = block
             .iter()
             .map(|&index| {
-                self.christoffel(index, inertia, &mut |this, (j, k), by| {
+                self.christoffel(index, inertia, |this, (j, k), by| {
                     if block.contains(&j) && block.contains(&k) {
                         this.named_slope(&mut slopes, inertia, (j, k), by)
                     } else {
