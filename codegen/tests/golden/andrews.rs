@@ -1121,9 +1121,9 @@ pub mod andrews {
         let ω3_s3 = ω3 * s3;
         let t18 = Δy_pull * (p.sc * t17 + p.sd * ω3_s3)
             + Δx_pull * (p.sc * ω3_s3 - p.sd * t17);
-        // its lever
+        // lever of `pull`: change of its length
         let dL_pull_dβ = -(L_pull.recip() * t18);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
         let t19 = ω2 + t3;
@@ -1179,7 +1179,7 @@ pub mod andrews {
         let t36 = t35 - p.C8 * (ω3_ω4 * (ω3 - ω4) * sin_φ3_minus_φ4)
             + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
         let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
-        // its derivative
+        // slope of the inertia
         let dA_dβ = t36 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
             - p.C9 * (ω3_ω6 * (ω3 - ω6) * sin_φ3_minus_φ6);
         // ── state ──
@@ -1387,7 +1387,7 @@ pub mod andrews {
         let ω3_ω6_prime = ω3 * ω6_prime;
         let ω3_minus_ω6 = ω3 - ω6;
         let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
-        // its derivative
+        // slope of the inertia
         let dA_dβ = t36 + p.C9 * (ω3_ω6_prime * cos_φ3_minus_φ6)
             - p.C9 * (ω3_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6);
         let t37 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
@@ -1429,9 +1429,9 @@ pub mod andrews {
         let t42 = p.sd * t40;
         let t43 = sc_ω3_s3 - t42;
         let t44 = Δy_pull * t41 + Δx_pull * t43;
-        // its lever
+        // lever of `pull`: change of its length
         let dL_pull_dβ = -(per_L_pull * t44);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
         let per_A = A.recip();
         let dδx_pull_dβ = t42 - sc_ω3_s3;

@@ -413,7 +413,7 @@ pub mod bridge_amplifier {
         let φ3_minus_φ3_0 = t3.unwrap_to(turn_upper_left);
         let ω3_minus_one = ω3 - 1.0;
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
             + p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
         // angle of `upper_left`
@@ -441,7 +441,7 @@ pub mod bridge_amplifier {
         let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
         let t4 = Δx_piezo * dδx_piezo_dφ1
             - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
-        // its lever
+        // lever of `piezo`: change of its length
         let dL_piezo_dφ1 = L_piezo.recip() * t4;
         let t5 = δx_piezo * (Δx_piezo - p.constant1)
             + δy_piezo * (Δy_piezo - p.constant2);
@@ -452,7 +452,7 @@ pub mod bridge_amplifier {
             * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
         let ν_table_prime = -t6;
         let t7 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t7 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
             + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
         // ── state ──
@@ -520,7 +520,7 @@ pub mod bridge_amplifier {
         let t5 = p.two_C1 * ω3_ω3_prime + p.two_mo * (ν_table * ν_table_prime)
             + p.C2 * ω3_prime_cos_φ1_minus_φ3;
         let sin_φ1_minus_φ3_ω3 = sin_φ1_minus_φ3 * ω3;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t5 + p.C2 * (sin_φ1_minus_φ3_ω3 * ω3_minus_one);
         let φ1_minus_φ1_0 = φ1 - p.φ1_0;
         let t6 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
@@ -528,7 +528,7 @@ pub mod bridge_amplifier {
         let φ3_minus_φ3_0 = t6.unwrap_to(turn_upper_left);
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
         let t7 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
             + p.two_k * (ω3_minus_one * t7);
         // angle of `upper_left`
@@ -560,7 +560,7 @@ pub mod bridge_amplifier {
         let l_ω3_per_l_X1 = p.l * ω3_per_l_X1;
         let A_x_minus_l_ω3_per_l_X1 = A_x - l_ω3_per_l_X1;
         let t8 = Δx_piezo_dδx_piezo_dφ1 - Δy_piezo * A_x_minus_l_ω3_per_l_X1;
-        // its lever
+        // lever of `piezo`: change of its length
         let dL_piezo_dφ1 = per_L_piezo * t8;
         let t9 = Δx_piezo - p.constant1;
         let t10 = Δy_piezo - p.constant2;
@@ -734,7 +734,7 @@ pub mod bridge_amplifier {
         let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
         let t8 = Δx_piezo * dδx_piezo_dφ1
             - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
-        // its lever
+        // lever of `piezo`: change of its length
         let dL_piezo_dφ1 = L_piezo.recip() * t8;
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;

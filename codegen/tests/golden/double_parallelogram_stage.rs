@@ -306,14 +306,14 @@ pub mod double_parallelogram_stage {
         // determinant of the inertia
         let det_M = p.C0_C1 - M12 * M12;
         let per_det_M = det_M.recip();
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * (φ1 - 1.5707963267948966);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * (φ2 + 1.5707963267948966);
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
         // ── state ──
         let t1 = (p.constant1 * t).sin();
@@ -354,15 +354,15 @@ pub mod double_parallelogram_stage {
         let det_M = p.C0_C1 - M12 * M12;
         let per_det_M_squared = (det_M * det_M).recip();
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
         let ddet_M_dφ1 = -(M12 * dM12_dφ1 * 2.0);
         let t1 = per_det_M_squared * ddet_M_dφ1;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * (φ1 - 1.5707963267948966);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * (φ2 + 1.5707963267948966);
         let per_det_M = det_M.recip();
         let ddM12_dφ1_dφ1 = -M12;

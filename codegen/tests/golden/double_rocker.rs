@@ -818,14 +818,14 @@ pub mod double_rocker {
         // angle of `rocker` from the assembled one
         let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
         let t10 = p.k * t5 + p.k * t7 + p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
         let t11 = l1_cos_φ1 + p.r2 * (ω2 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
         let t12 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t11;
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t12 + p.m3_r3 * (ω3 * (p.cos_beta3 * c3 - p.sin_beta3 * s3)))
             * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         // displacement of `A`
         let x_A = p.la
@@ -845,7 +845,7 @@ pub mod double_rocker {
         let t16 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * t4);
         let t17 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t16 - p.C3 * (ω2 * ω2_minus_one * t17);
         // ── state ──
         // slip velocity of `tip`
@@ -952,7 +952,7 @@ pub mod double_rocker {
         let t8 = p.two_C1 * ω2_ω2_prime + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * t4);
         let t9 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t8 - p.C3 * (ω2 * ω2_minus_one * t9);
         let t10 = φ1 - 1.3962634015954636;
         let t11 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
@@ -963,16 +963,16 @@ pub mod double_rocker {
         // angle of `rocker` from the assembled one
         let φ3_minus_φ3_0 = t13.unwrap_to(turn_rocker);
         let t14 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.k * t10 + p.k * (ω2_minus_one * t12) + p.k * (t5 * t14)
             + p.k * (φ3_minus_φ3_0 * ω3);
         let t15 = p.cos_beta2 * c2 - p.sin_beta2 * s2;
         let t16 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1)
             + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * t15));
         let t17 = p.cos_beta3 * c3 - p.sin_beta3 * s3;
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t16 + p.m3_r3 * (ω3 * t17)) * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         // displacement of `A`
         let x_A = p.la

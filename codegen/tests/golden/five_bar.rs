@@ -487,7 +487,7 @@ pub mod five_bar {
             + p.k * (ω4_1 * t7);
         let t9 = t2 - t1;
         let t10 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t8 + p.k * (t9 * t10);
         let ω4_2_minus_one = ω4_2 - 1.0;
         let ω3_2_minus_ω4_2 = ω3_2 - ω4_2;
@@ -502,7 +502,7 @@ pub mod five_bar {
         let t13 = p.two_C2 * (ω3_1 * dω3_1_dφ2) + p.two_C3 * (ω4_1 * dω4_1_dφ2)
             + p.C4 * (dω3_1_dφ2 * cos_φ1_minus_φ3);
         let sin_φ1_minus_φ3_ω3_1 = sin_φ1_minus_φ3 * ω3_1;
-        // derivative of the inertia
+        // slope of the inertia
         let dM11_dφ2 = t13 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_2);
         let t14 = p.l1 * (cos_φ1_minus_φ4 * (ω4_1 - 1.0))
             - p.l2 * (ω3_1 * t9 * cos_φ3_minus_φ4);
@@ -512,7 +512,7 @@ pub mod five_bar {
         let dω4_1_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t15);
         let t16 = p.two_C2 * (ω3_1 * dω3_1_dφ1) + p.two_C3 * (ω4_1 * dω4_1_dφ1)
             + p.C4 * (dω3_1_dφ1 * cos_φ1_minus_φ3);
-        // derivative of the inertia
+        // slope of the inertia
         let dM11_dφ1 = t16 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_1_minus_one);
         let t17 = p.l1 * ω4_1_cos_φ2_minus_φ4
             + p.l2 * (ω3_2 * t9 * cos_φ3_minus_φ4);
@@ -524,7 +524,7 @@ pub mod five_bar {
         let t19 = p.two_C2 * (ω3_2 * dω3_2_dφ1) + p.two_C3 * (ω4_2 * dω4_2_dφ1)
             + p.C5 * (cos_φ2_minus_φ4 * dω4_2_dφ1);
         let ω4_1_sin_φ2_minus_φ4 = ω4_1 * sin_φ2_minus_φ4;
-        // derivative of the inertia
+        // slope of the inertia
         let dM22_dφ1 = t19 + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2);
         let t20 = p.l1 * (cos_φ2_minus_φ4 * ω4_2_minus_one)
             + p.l2 * (ω3_2 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
@@ -538,11 +538,11 @@ pub mod five_bar {
             + p.C4 * (sin_φ1_minus_φ3 * ω3_2_squared);
         let t24 = p.C5 * (dω4_1_dφ2 * cos_φ2_minus_φ4)
             + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2_minus_one);
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ2 = t21 + p.C3 * (ω4_1 * dω4_2_dφ2) + t23 * 0.5 + t24 * 0.5;
         let t25 = p.k * (φ2 - 1.0471975511965976) + p.k * (ω3_2 * t5)
             + p.k * (ω4_2_minus_one * t7);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ2 = t25 + p.k * (ω3_2_minus_ω4_2 * t10);
         let t26 = p.C2 * (ω3_2 * dω3_1_dφ1) + p.C2 * (ω3_1 * dω3_2_dφ1)
             + p.C3 * (ω4_2 * dω4_1_dφ1);
@@ -550,11 +550,11 @@ pub mod five_bar {
             + p.C4 * (sin_φ1_minus_φ3 * ω3_2 * ω3_1_minus_one);
         let t28 = p.C5 * (dω4_1_dφ1 * cos_φ2_minus_φ4)
             + p.C5 * (ω4_1_squared * sin_φ2_minus_φ4);
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ1 = t26 + p.C3 * (ω4_1 * dω4_2_dφ1) + t27 * 0.5 + t28 * 0.5;
         let t29 = p.two_C2 * (ω3_2 * dω3_2_dφ2) + p.two_C3 * (ω4_2 * dω4_2_dφ2)
             + p.C5 * (cos_φ2_minus_φ4 * dω4_2_dφ2);
-        // derivative of the inertia
+        // slope of the inertia
         let dM22_dφ2 = t29 + p.C5 * (sin_φ2_minus_φ4 * ω4_2 * ω4_2_minus_one);
         // ── state ──
         let t30 = p.constant1 * t;
@@ -676,7 +676,7 @@ pub mod five_bar {
         let t8 = p.two_C2 * (ω3_1 * dω3_1_dφ1) + p.two_C3 * (ω4_1 * dω4_1_dφ1)
             + p.C4 * t7;
         let sin_φ1_minus_φ3_ω3_1 = sin_φ1_minus_φ3 * ω3_1;
-        // derivative of the inertia
+        // slope of the inertia
         let dM11_dφ1 = t8 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_1_minus_one);
         let t9 = p.l1 * ω4_1_cos_φ2_minus_φ4
             + p.l2 * (ω3_2 * t4 * cos_φ3_minus_φ4);
@@ -691,7 +691,7 @@ pub mod five_bar {
         let t14 = p.two_C2 * (ω3_2 * dω3_2_dφ1) + p.two_C3 * (ω4_2 * dω4_2_dφ1)
             + p.C5 * t13;
         let ω4_1_sin_φ2_minus_φ4 = ω4_1 * sin_φ2_minus_φ4;
-        // derivative of the inertia
+        // slope of the inertia
         let dM22_dφ1 = t14 + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2);
         let t15 = p.C2 * (ω3_2 * dω3_1_dφ1) + p.C2 * (ω3_1 * dω3_2_dφ1)
             + p.C3 * (ω4_2 * dω4_1_dφ1);
@@ -701,7 +701,7 @@ pub mod five_bar {
         let t18 = t15 + p.C3 * (ω4_1 * dω4_2_dφ1) + (p.C4 * t16 + p.C4 * t17) * 0.5;
         let t19 = dω4_1_dφ1 * cos_φ2_minus_φ4;
         let t20 = ω4_1_squared * sin_φ2_minus_φ4;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ1 = t18 + (p.C5 * t19 + p.C5 * t20) * 0.5;
         let ddet_M_dφ1 = M22 * dM11_dφ1 + M11 * dM22_dφ1 - M12 * dM12_dφ1 * 2.0;
         let t21 = per_det_M_squared * ddet_M_dφ1;
@@ -716,7 +716,7 @@ pub mod five_bar {
         let t26 = p.k * (φ1 - 2.0943951023931953) + p.k * (ω3_1_minus_one * t23)
             + p.k * (ω4_1 * t25);
         let t27 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t26 + p.k * (t4 * t27);
         let c_ω3_1_minus_one = p.c * ω3_1_minus_one;
         let c_ω4_1 = p.c * ω4_1;
@@ -734,7 +734,7 @@ pub mod five_bar {
         let t31 = dω3_1_dφ2 * cos_φ1_minus_φ3;
         let t32 = p.two_C2 * (ω3_1 * dω3_1_dφ2) + p.two_C3 * (ω4_1 * dω4_1_dφ2)
             + p.C4 * t31;
-        // derivative of the inertia
+        // slope of the inertia
         let dM11_dφ2 = t32 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_2);
         let ω3_2_cos_φ3_minus_φ4 = ω3_2 * cos_φ3_minus_φ4;
         let t33 = p.l1 * (cos_φ2_minus_φ4 * ω4_2_minus_one)
@@ -754,12 +754,12 @@ pub mod five_bar {
         let t40 = t35 + p.C3 * (ω4_1 * dω4_2_dφ2) + (p.C4 * t38 + p.C4 * t39) * 0.5;
         let t41 = dω4_1_dφ2 * cos_φ2_minus_φ4;
         let t42 = ω4_1_sin_φ2_minus_φ4 * ω4_2_minus_one;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ2 = t40 + (p.C5 * t41 + p.C5 * t42) * 0.5;
         let t43 = dM22_dφ1 * 0.5 - dM12_dφ2;
         let t44 = p.k * (φ2 - 1.0471975511965976) + p.k * (ω3_2 * t23)
             + p.k * (ω4_2_minus_one * t25);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ2 = t44 + p.k * (ω3_2_minus_ω4_2 * t27);
         let c_ω3_2 = p.c * ω3_2;
         let c_ω4_2_minus_one = p.c * ω4_2_minus_one;
@@ -769,7 +769,7 @@ pub mod five_bar {
         let t47 = p.two_C2 * (ω3_2 * dω3_2_dφ2) + p.two_C3 * (ω4_2 * dω4_2_dφ2)
             + p.C5 * t46;
         let sin_φ2_minus_φ4_ω4_2 = sin_φ2_minus_φ4 * ω4_2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM22_dφ2 = t47 + p.C5 * (sin_φ2_minus_φ4_ω4_2 * ω4_2_minus_one);
         let per_det_M = det_M.recip();
         let ω3_1_minus_one_squared = ω3_1_minus_one * ω3_1_minus_one;

@@ -449,13 +449,13 @@ pub mod four_bar {
         let φ3_minus_φ3_0 = t8.unwrap_to(turn_rocker);
         let t9 = p.k * (φ1 - 1.3962634015954636) + p.k * t6
             + p.k * (t7 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t9 + p.k * (φ3_minus_φ3_0 * ω3);
         let t10 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * c2))
             - p.m3_r3 * (ω3 * t2);
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = t10 * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
@@ -467,7 +467,7 @@ pub mod four_bar {
         let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t12);
         let t13 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * cos_φ1_minus_φ2);
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t13 + p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one);
         // ── state ──
         let ddφ1 = -(A.recip() * (dP_dφ1 + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
@@ -543,7 +543,7 @@ pub mod four_bar {
         let t8 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * ω2_prime_cos_φ1_minus_φ2;
         let sin_φ1_minus_φ2_ω2 = sin_φ1_minus_φ2 * ω2;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t8 + p.C3 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one);
         let t9 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
@@ -555,13 +555,13 @@ pub mod four_bar {
         let t12 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
         let t13 = p.k * (φ1 - 1.3962634015954636) + p.k * (ω2_minus_one * t10)
             + p.k * (t5 * t12);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t13 + p.k * (φ3_minus_φ3_0 * ω3);
         let t14 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * c2))
             - p.m3_r3 * (ω3 * t2);
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = t14 * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let per_A = A.recip();
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;

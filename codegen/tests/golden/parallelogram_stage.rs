@@ -217,7 +217,7 @@ pub mod parallelogram_stage {
         let φ = x[0];
         let dφ = x[1];
         // ── configuration ──
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ = p.ddP_s_dφ_dφ * (φ - 1.5707963267948966);
         // ── state ──
         let t1 = p.per_C0 * (dP_s_dφ + p.l_push * φ.sin() * (p.constant1 * t).sin());

@@ -839,7 +839,7 @@ pub mod six_bar {
         let t22 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `output_rocker` from the assembled one
         let φ6_minus_φ6_0 = t22.unwrap_to(turn_output_rocker);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t20 + p.k * (t21 * (φ5_minus_φ5_0 - φ6_minus_φ6_0))
             + p.k * (φ6_minus_φ6_0 * ω6);
         let t23 = p.m2
@@ -847,9 +847,9 @@ pub mod six_bar {
         let t24 = ω6 * t6;
         let t25 = p.m1_r1 * cos_φ1 + t23 - p.m3_r3 * (ω3 * t2)
             - p.m5 * (p.l6 * t24 + p.l5_minus_r5 * (ω5 * c5));
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t25 - p.m6_r6 * t24) * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
@@ -884,7 +884,7 @@ pub mod six_bar {
             + p.C6 * (sin_φ1_minus_φ2 * ω2_prime);
         let t38 = t37 - p.C6 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one)
             + p.C7 * (ω6 * cos_φ5_minus_φ6 * ω5_prime);
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t38 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime)
             - p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t21);
         // ── state ──
@@ -1054,7 +1054,7 @@ pub mod six_bar {
         let ω5_cos_φ5_minus_φ6 = ω5 * cos_φ5_minus_φ6;
         let sin_φ5_minus_φ6_ω5 = sin_φ5_minus_φ6 * ω5;
         let sin_φ5_minus_φ6_ω5_ω6 = sin_φ5_minus_φ6_ω5 * ω6;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t30 + p.C7 * (ω5_cos_φ5_minus_φ6 * ω6_prime)
             - p.C7 * (sin_φ5_minus_φ6_ω5_ω6 * t19);
         let t31 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
@@ -1077,16 +1077,16 @@ pub mod six_bar {
         let t39 = φ5_minus_φ5_0 - φ6_minus_φ6_0;
         let t40 = t35 + p.k * (φ3_minus_φ3_0 * ω3) + p.k * (t24 * t37)
             + p.k * (t19 * t39);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t40 + p.k * (φ6_minus_φ6_0 * ω6);
         let t41 = p.m2
             * (l1_cos_φ1 + p.half_l2 * (ω2 * c2) - p.constant3 * (ω2 * s2));
         let t42 = ω6 * t6;
         let t43 = p.m1_r1 * cos_φ1 + t41 - p.m3_r3 * (ω3 * t2)
             - p.m5 * (p.l6 * t42 + p.l5_minus_r5 * (ω5 * c5));
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t43 - p.m6_r6 * t42) * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
         let c_ω2_minus_one_squared = p.c * ω2_minus_one_squared;

@@ -371,12 +371,12 @@ pub mod slider_crank {
             + p.k * (ψ_minus_ψ_0 * ω_ψ);
         // position of `piston` from the assembled one
         let t4 = x_piston - p.x_piston_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ = t3 + p.kr * (t4 * ν_piston);
         let t5 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ = t5 * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
         let ω_ψ_prime = p.per_l
             * (per_c_ψ * (r_sin_φ + p.l * (ω_ψ_squared * s_ψ)));
@@ -384,7 +384,7 @@ pub mod slider_crank {
             * (p.r * (cos_φ_minus_ψ * ω_ψ_minus_one) + ω_ψ * ν_piston * s_ψ);
         let t6 = p.two_C1 * (ω_ψ * ω_ψ_prime)
             + p.two_ms * (ν_piston * ν_piston_prime);
-        // its derivative
+        // slope of the inertia
         let dA_dφ = t6 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
             + p.C2 * (sin_φ_minus_ψ * ω_ψ * ω_ψ_minus_one);
         // ── state ──
@@ -440,7 +440,7 @@ pub mod slider_crank {
         let t3 = p.two_C1 * ω_ψ_ω_ψ_prime + p.two_ms * (ν_piston * ν_piston_prime);
         let ω_ψ_prime_cos_φ_minus_ψ = ω_ψ_prime * cos_φ_minus_ψ;
         let sin_φ_minus_ψ_ω_ψ = sin_φ_minus_ψ * ω_ψ;
-        // its derivative
+        // slope of the inertia
         let dA_dφ = t3 + p.C2 * ω_ψ_prime_cos_φ_minus_ψ
             + p.C2 * (sin_φ_minus_ψ_ω_ψ * ω_ψ_minus_one);
         let t4 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
@@ -452,12 +452,12 @@ pub mod slider_crank {
             + p.k * (ψ_minus_ψ_0 * ω_ψ);
         // position of `piston` from the assembled one
         let t7 = x_piston - p.x_piston_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ = t6 + p.kr * (t7 * ν_piston);
         let t8 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ = t8 * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
         let ω_ψ_minus_one_squared = ω_ψ_minus_one * ω_ψ_minus_one;
         let c_ω_ψ_minus_one_squared = p.c * ω_ψ_minus_one_squared;

@@ -355,7 +355,7 @@ pub mod xy_stage {
         let det_M = p.C0_C1 - M12 * M12;
         let per_det_M = det_M.recip();
         let t1 = φ1 - 1.5707963267948966;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * t1;
         let l_sin_φ1 = p.l * sin_φ1;
         let t2 = (φ1 + 1.5707963267948966) * 0.5;
@@ -364,9 +364,9 @@ pub mod xy_stage {
         let x_F1 = p.l
             * (t3 * ((T::from_f64(1.5707963267948966) - φ1) * 0.5).sin() * 2.0);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         // displacement of `T`
@@ -375,7 +375,7 @@ pub mod xy_stage {
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
         let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
         // ── state ──
         let t5 = p.constant1 * t;
@@ -433,14 +433,14 @@ pub mod xy_stage {
         let det_M = p.C0_C1 - M12 * M12;
         let per_det_M_squared = (det_M * det_M).recip();
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        // derivative of the inertia
+        // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
         let ddet_M_dφ1 = -(M12 * dM12_dφ1 * 2.0);
         let t1 = per_det_M_squared * ddet_M_dφ1;
         let t2 = φ1 - 1.5707963267948966;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * t2;
         let l_sin_φ1 = p.l * sin_φ1;
         let t3 = (φ1 + 1.5707963267948966) * 0.5;
@@ -448,7 +448,7 @@ pub mod xy_stage {
         // displacement of `F1`
         let x_F1 = p.l
             * (t4 * ((T::from_f64(1.5707963267948966) - φ1) * 0.5).sin() * 2.0);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         // displacement of `T`

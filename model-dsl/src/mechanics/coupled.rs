@@ -81,7 +81,7 @@ impl Derivation<'_> {
                 self.g.symbol_latex(q)
             );
             let symbol = self.names.symbol_with_latex(&mut self.g, &text, &latex);
-            self.define(symbol, value, "derivative of the inertia");
+            self.define(symbol, value, "slope of the inertia");
             self.g.of(symbol)
         };
         slopes.known.insert((j, k, by), slope);

@@ -145,9 +145,9 @@ impl Derivation<'_> {
                 continue;
             }
             let words = if letter == "P_s" {
-                "springs"
+                "slope of the potential energy of springs"
             } else {
-                "gravity"
+                "slope of the potential energy of gravity"
             };
             let symbol = self.names.symbol_with_latex(
                 &mut self.g,
@@ -165,7 +165,7 @@ impl Derivation<'_> {
                 &format!("∂P/∂{text}"),
                 &format!("\\frac{{\\partial P}}{{\\partial {latex}}}"),
             );
-            self.define(symbol, potential, "potential energy");
+            self.define(symbol, potential, "slope of the potential energy");
             self.equation_line(&mut loads.potential, symbol, potential, "");
             potential = self.g.of(symbol);
         }
@@ -248,7 +248,7 @@ impl Derivation<'_> {
                     latex_suffix(&suffix)
                 );
                 let symbol = self.names.symbol_with_latex(&mut self.g, &name, &latex);
-                self.define(symbol, slope, "its derivative");
+                self.define(symbol, slope, "slope of the inertia");
                 self.equation_line(&mut lines, symbol, slope, "");
                 left.push((
                     format!("½ {name} {rate}²"),

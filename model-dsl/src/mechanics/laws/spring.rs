@@ -274,7 +274,8 @@ impl Derivation<'_> {
             self.g.symbol_latex(q)
         );
         let symbol = self.names.symbol_with_latex(&mut self.g, &text, &latex);
-        self.define(symbol, lever, "its lever");
+        let words = format!("lever of `{}`: change of its length", spring.name);
+        self.define(symbol, lever, words);
         self.equation_line(&mut laws.lines, symbol, lever, "");
         self.g.of(symbol)
     }
