@@ -215,7 +215,7 @@ impl Program {
             .chain(prepared.iter().copied())
     }
 
-    /// Every function of time, state and inputs, in the order of [`function_titles`].
+    /// Every function of time, state and inputs, in the order in which listings have them.
     pub fn functions(&self) -> Vec<&Function> {
         let mut functions = vec![
             &self.rhs,
