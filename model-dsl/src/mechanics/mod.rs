@@ -201,13 +201,17 @@ impl<'m> Derivation<'m> {
         self.g.of(symbol)
     }
 
-    /// What tells the quantities of a coordinate from those of others: `1` of `φ1`, `stage` of
-    /// `x_stage`, the body's name for `φ`.
+    /// What tells the quantities of a coordinate from those of others: `1` of `φ1`, or the whole
+    /// symbol where that is not enough: `θ`, `x_P` beside `y_P`.
     pub(crate) fn coordinate_label(&self, index: usize) -> String {
-        let coordinate = &self.coordinates[index];
-        match names::subscript(self.g.symbol_text(coordinate.symbol)) {
-            "" => self.model.bodies[coordinate.body].name.clone(),
-            label => label.to_owned(),
+        let symbol = |index: usize| self.g.symbol_text(self.coordinates[index].symbol);
+        let label = names::subscript(symbol(index));
+        let is_shared = (0..self.coordinates.len())
+            .any(|other| other != index && names::subscript(symbol(other)) == label);
+        if label.is_empty() || is_shared {
+            symbol(index).to_owned()
+        } else {
+            label.to_owned()
         }
     }
 

@@ -180,7 +180,7 @@ impl Derivation<'_> {
         } else {
             "ω"
         };
-        let bare = subscript(variable).is_empty();
+        let bare = subscript(variable).is_empty() || !variable.starts_with(['φ', 'x']);
         let sub = if bare { variable } else { subscript(variable) };
         let separator = if bare || variable.chars().nth(1) == Some('_') {
             "_"
