@@ -6,7 +6,7 @@ use std::fmt::Write;
 use flexure_runtime::tape::Operation;
 
 use crate::names::{Described, Namer};
-use crate::program::{Function, Program};
+use crate::program::{Function, Program, function_titles};
 use crate::schedule::{moving_order, order, prepared};
 use crate::values::{Node, Stage, Value};
 
@@ -18,30 +18,9 @@ pub fn listing(program: &Program) -> String {
     let mut writer = Listing::new(program);
     let mut text = format!("model {}\n", program.name);
     writer.parameter_stage(&mut text);
-    let mut named: Vec<(String, &Function)> = [
-        ("rhs", &program.rhs),
-        ("jacobian", &program.jacobian),
-        ("outputs", &program.output_values),
-        ("energy", &program.energy),
-        ("next kinks", &program.next_kinks),
-        ("events", &program.events),
-        ("accept", &program.accept),
-        ("closures", &program.closures),
-    ]
-    .map(|(name, function)| (name.to_owned(), function))
-    .into();
-    for (index, function) in program.pass_kink.iter().enumerate() {
-        named.push((format!("pass kink {index}"), function));
-    }
-    for event in &program.event_rows {
-        named.push((
-            format!("pass event `{}`, states", event.name),
-            &event.states,
-        ));
-        let name = format!("pass event `{}`, discrete states", event.name);
-        named.push((name, &event.discretes));
-    }
-    for (name, function) in named {
+    let events = program.event_rows.iter().map(|event| event.name.as_str());
+    let titles = function_titles(program.pass_kink.len(), events);
+    for (name, function) in titles.into_iter().zip(program.functions()) {
         if !function.results.is_empty() {
             writer.function(&mut text, &name, function);
         }

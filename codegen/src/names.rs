@@ -223,6 +223,7 @@ mod tests {
             ("φ2 - φ2⁰", "φ2_minus_φ2_0"),
             ("cos(φ2 - φ1)", "cos_φ2_minus_φ1"),
             ("∂A/∂φ1", "dA_dφ1"),
+            ("d(extension)/dt", "d_extension_dt"),
             ("C0", "C0"),
             ("2nd", "_2nd"),
             ("\"); panic!(\"", "_panic"),

@@ -72,6 +72,30 @@ pub struct Program {
     pub loop_names: Vec<String>,
 }
 
+/// What listings call the functions of a model with these kinks and events.
+pub(crate) fn function_titles<'e>(
+    kinks: usize,
+    events: impl Iterator<Item = &'e str>,
+) -> Vec<String> {
+    let always = [
+        "rhs",
+        "jacobian",
+        "outputs",
+        "energy",
+        "next kinks",
+        "events",
+        "accept",
+        "closures",
+    ];
+    let mut titles: Vec<String> = always.map(str::to_owned).into();
+    titles.extend((0..kinks).map(|index| format!("pass kink {index}")));
+    for event in events {
+        titles.push(format!("pass event `{event}`, states"));
+        titles.push(format!("pass event `{event}`, discrete states"));
+    }
+    titles
+}
+
 /// Names as the equations write them: `φ1` for the state `crank.angle`.
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
@@ -176,7 +200,22 @@ pub struct Event {
 }
 
 impl Program {
-    /// Every function of time, state and inputs.
+    /// What `prepare` computes, but for what Newton blocks compute inside: the margins of checks,
+    /// where Newton starts and by what it measures, the start, and what the functions use.
+    pub fn parameter_roots<'p>(
+        &'p self,
+        prepared: &'p [Value],
+    ) -> impl Iterator<Item = Value> + 'p {
+        let margins = self.checks.iter().map(|check| check.margin);
+        let solves = self.solves.iter();
+        margins
+            .chain(solves.flat_map(|solve| solve.guesses.iter().chain(&solve.scales).copied()))
+            .chain(self.start_states.iter().copied())
+            .chain(self.start_discretes.iter().copied())
+            .chain(prepared.iter().copied())
+    }
+
+    /// Every function of time, state and inputs, in the order in which listings have them.
     pub fn functions(&self) -> Vec<&Function> {
         let mut functions = vec![
             &self.rhs,

@@ -146,20 +146,8 @@ fn prepare(program: &Program, registers: &mut PrepareRegisters) -> PrepareTape {
     }
     registers.of.extend(constant_free);
 
-    let wanted: Vec<Value> = program
-        .checks
-        .iter()
-        .map(|check| check.margin)
-        .chain(
-            program
-                .solves
-                .iter()
-                .flat_map(|solve| solve.guesses.iter().chain(&solve.scales).copied()),
-        )
-        .chain(program.start_states.iter().copied())
-        .chain(program.start_discretes.iter().copied())
-        .chain(prepared(program))
-        .collect();
+    let kept = prepared(program);
+    let wanted: Vec<Value> = program.parameter_roots(&kept).collect();
     let everything = order(values, wanted.iter().copied(), |_| true);
     let mut steps = Vec::new();
     for level in 0..=program.solves.len() {

@@ -6,32 +6,31 @@ use flexure_runtime::tape::{
     Block, Fixed, Instruction, Load, Operation, Step, Tape, TapeModel, TapeProgram,
 };
 
+use crate::program::function_titles;
+
 /// Every function of a tape, instruction by instruction: `r7 = multiply r2 r5`.
 pub fn tape_listing(model: &TapeModel) -> String {
     let program = model.program();
     let mut text = format!("tape of {}\n", program.name);
     prepare(&mut text, program);
-    let named = [
-        ("rhs", &program.rhs),
-        ("jacobian", &program.jacobian),
-        ("outputs", &program.output_values),
-        ("energy", &program.energy),
-        ("next kinks", &program.next_kinks),
-        ("events", &program.events),
-        ("accept", &program.accept),
-        ("closures", &program.closures),
+    let mut tapes = vec![
+        &program.rhs,
+        &program.jacobian,
+        &program.output_values,
+        &program.energy,
+        &program.next_kinks,
+        &program.events,
+        &program.accept,
+        &program.closures,
     ];
-    for (name, tape) in named {
-        function(&mut text, name, tape, program);
-    }
-    for (index, tape) in program.pass_kink.iter().enumerate() {
-        function(&mut text, &format!("pass kink {index}"), tape, program);
-    }
+    tapes.extend(&program.pass_kink);
     for event in &program.event_rows {
-        let name = format!("pass event `{}`, states", event.name);
-        function(&mut text, &name, &event.states, program);
-        let name = format!("pass event `{}`, discrete states", event.name);
-        function(&mut text, &name, &event.discretes, program);
+        tapes.extend([&event.states, &event.discretes]);
+    }
+    let events = program.event_rows.iter().map(|event| event.name.as_ref());
+    let titles = function_titles(program.pass_kink.len(), events);
+    for (name, tape) in titles.iter().zip(tapes) {
+        function(&mut text, name, tape, program);
     }
     text
 }

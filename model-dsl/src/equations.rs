@@ -292,7 +292,7 @@ pub enum Line {
     },
     /// An equation that is not an assignment, already written out.
     Written {
-        /// In plain text.
+        /// In plain text; may be of several lines.
         text: String,
         /// In LaTeX.
         latex: String,

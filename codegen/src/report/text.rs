@@ -33,7 +33,9 @@ pub(super) fn write(equations: &Equations) -> String {
                     lines = &lines[1..];
                 }
                 Line::Written { text, .. } => {
-                    wrapped(&mut out, &" ".repeat(INDENT), text);
+                    for row in text.lines() {
+                        wrapped(&mut out, &" ".repeat(INDENT), row);
+                    }
                     lines = &lines[1..];
                 }
                 Line::Equation { .. } => {
@@ -64,9 +66,18 @@ fn heading(out: &mut String, title: &str, line: char) {
     out.push('\n');
 }
 
-/// Words, line by line as they are, broken where they are too long.
+/// Words, line by line as they are; a paragraph with a line that is too long is filled anew.
 fn paragraphs(out: &mut String, words: &str) {
-    for line in words.lines() {
+    let lines: Vec<&str> = words.lines().map(str::trim_end).collect();
+    let mut filled = Vec::new();
+    for paragraph in lines.chunk_by(|a, b| a.is_empty() == b.is_empty()) {
+        if paragraph.iter().any(|line| width(line) > WIDTH) {
+            filled.push(paragraph.join(" "));
+        } else {
+            filled.extend(paragraph.iter().map(|line| (*line).to_owned()));
+        }
+    }
+    for line in filled {
         let mut column = 0;
         for word in line.split_whitespace() {
             let taken = width(word);
@@ -208,10 +219,12 @@ fn break_position(line: &str, hanging: usize) -> Option<usize> {
             ' ' if column > hanging + 8 => {
                 let next = &line[at + 1..];
                 let operator = ["+ ", "- ", "/ ", "= ", "> ", "then ", "else "];
+                // A fraction is held together more than the sum that it stands in.
+                let level = 2 * depth + i32::from(next.starts_with("/ "));
                 if operator.iter().any(|o| next.starts_with(o))
-                    && best.is_none_or(|(known, _)| depth <= known)
+                    && best.is_none_or(|(known, _)| level <= known)
                 {
-                    best = Some((depth, at));
+                    best = Some((level, at));
                 }
                 blank = Some(at);
             }

@@ -18,20 +18,7 @@ pub(super) fn prepare(writer: &Writer<'_>) -> (Vec<TokenStream>, Vec<Message>) {
     let mut messages = Vec::new();
 
     let fields = prepared(program);
-    let roots: Vec<Value> = program
-        .checks
-        .iter()
-        .map(|check| check.margin)
-        .chain(
-            program
-                .solves
-                .iter()
-                .flat_map(|solve| solve.guesses.iter().chain(&solve.scales).copied()),
-        )
-        .chain(program.start_states.iter().copied())
-        .chain(program.start_discretes.iter().copied())
-        .chain(fields.iter().copied())
-        .collect();
+    let roots: Vec<Value> = program.parameter_roots(&fields).collect();
     let everything = order(values, roots.iter().copied(), |_| true);
     for level in 0..=program.solves.len() {
         let code: Vec<Value> = everything

@@ -327,12 +327,11 @@ pub mod andrews {
             let t3 = d_squared - ss_squared;
             let κ1_0 = (t3 + D1_0) * 0.5 / D1_0;
             let Y1_0_κ1_0 = Y1_0 * κ1_0;
-            let t4 = d_2 * X1_0 * 0.059964006479444595 + d_2 * Y1_0 * 0.9982005399352042;
-            let t5 = (ss * X1_0 * 0.9001004421765051 + ss * Y1_0 * 0.4356824462767121)
-                / ss_squared;
+            let t4 = (Y1_0 * 0.9982005399352042 + X1_0 * 0.059964006479444595) / d_2
+                - (Y1_0 * 0.4356824462767121 + X1_0 * 0.9001004421765051) / ss;
             // which way the loop closes: as drawn
-            let s1 = (t4 / d_squared - t5).if_positive(1.0, -1.0);
-            let η1_0 = s1 * (-t1).sqrt() * 0.5 / D1_0;
+            let ε1 = t4.if_positive(1.0, -1.0);
+            let η1_0 = ε1 * (-t1).sqrt() * 0.5 / D1_0;
             let X1_0_η1_0 = X1_0 * η1_0;
             let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
             let X1_0_κ1_0 = X1_0 * κ1_0;
@@ -346,20 +345,20 @@ pub mod andrews {
             let D2_0 = X2_0 * X2_0 + Y2_0 * Y2_0;
             let e_plus_zt = e + zt;
             let e_plus_zt_squared = e_plus_zt * e_plus_zt;
-            let t6 = (e_minus_zt_squared - D2_0) * (e_plus_zt_squared - D2_0);
+            let t5 = (e_minus_zt_squared - D2_0) * (e_plus_zt_squared - D2_0);
             let e_squared = e * e;
             let zt_squared = zt * zt;
             let e_squared_zt_squared = e_squared * zt_squared;
-            let t7 = t6 * 0.25 / e_squared_zt_squared;
+            let t6 = t5 * 0.25 / e_squared_zt_squared;
             let zf_minus_u = zf - u_2;
             let zf_minus_u_squared = zf_minus_u * zf_minus_u;
             let zf_plus_u = zf + u_2;
             let zf_plus_u_squared = zf_plus_u * zf_plus_u;
-            let t8 = (zf_minus_u_squared - D2_0) * (zf_plus_u_squared - D2_0);
+            let t7 = (zf_minus_u_squared - D2_0) * (zf_plus_u_squared - D2_0);
             let zf_squared = zf * zf;
             let u_squared = u_2 * u_2;
             let zf_squared_u_squared = zf_squared * u_squared;
-            let t9 = t8 * 0.25 / zf_squared_u_squared;
+            let t8 = t7 * 0.25 / zf_squared_u_squared;
             let rr_squared = rr * rr;
             // constant of the inertia
             let C0 = I1 + m1 * (ra * ra) + rr_squared * m2;
@@ -371,38 +370,36 @@ pub mod andrews {
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(-1.12);
             let sin_beta0_minus_φ3_0 = (beta0 - φ3_0).sin();
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
-            let t11 = rr_squared * C1 * (sin_beta0_minus_φ3_0 * sin_beta0_minus_φ3_0)
-                / (d_squared * t10);
+            let t9 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            let t10 = rr_squared * C1 * (sin_beta0_minus_φ3_0 * sin_beta0_minus_φ3_0)
+                / (d_squared * t9);
             // constant of the inertia
             let C2 = I3 + m3 * (sa * sa) + m3 * (sb * sb) + ss_squared * m4
                 + ss_squared * m6;
             let beta0_minus_φ2_0 = beta0 - φ2_0;
             let (sin_beta0_minus_φ2_0, cos_beta0_minus_φ2_0) = beta0_minus_φ2_0
                 .sin_cos();
-            let t12 = rr_squared * C2 * (sin_beta0_minus_φ2_0 * sin_beta0_minus_φ2_0)
-                / (ss_squared * t10);
+            let t11 = rr_squared * C2 * (sin_beta0_minus_φ2_0 * sin_beta0_minus_φ2_0)
+                / (ss_squared * t9);
             // constant of the inertia
             let C3 = I4 + m4 * (ea * ea);
-            let t13 = e_squared - zt_squared;
-            let κ2_0 = (t13 + D2_0) * 0.5 / D2_0;
+            let t12 = e_squared - zt_squared;
+            let κ2_0 = (t12 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ2_0 = Y2_0 * κ2_0;
-            let t14 = (e * X2_0 * 0.757842562895277 + e * Y2_0 * 0.6524374681640519)
-                / e_squared;
-            let t15 = (zt * X2_0 * 0.470625888171158 - zt * Y2_0 * 0.8823328586101215)
-                / zt_squared;
+            let t13 = (Y2_0 * 0.6524374681640519 + X2_0 * 0.757842562895277) / e
+                + (X2_0 * 0.470625888171158 - Y2_0 * 0.8823328586101215) / zt;
             // which way the loop closes: as drawn
-            let s2_2 = (t14 + t15).if_positive(1.0, -1.0);
-            let η2_0 = s2_2 * (-t6).sqrt() * 0.5 / D2_0;
+            let ε2 = t13.if_positive(1.0, -1.0);
+            let η2_0 = ε2 * (-t5).sqrt() * 0.5 / D2_0;
             let X2_0_η2_0 = X2_0 * η2_0;
-            let s_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / zt;
+            let s_δ_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / zt;
             let X2_0_κ2_0 = X2_0 * κ2_0;
             let Y2_0_η2_0 = Y2_0 * η2_0;
-            let c_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / zt);
+            let c_δ_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / zt);
             // angle of `upper_arm` as assembled
-            let δ_0 = s_0.atan2(c_0).unwrap_to(0.49);
+            let δ_0 = s_δ_0.atan2(c_δ_0).unwrap_to(0.49);
             let rr_sin_beta0_minus_φ3_0 = rr * sin_beta0_minus_φ3_0;
-            let t16 = rr * (beta0 - δ_0).sin()
+            let t14 = rr * (beta0 - δ_0).sin()
                 - rr_sin_beta0_minus_φ3_0 * (φ2_0 - δ_0).sin()
                     / sin_φ2_0_minus_φ3_0;
             let s4_0 = -((Y2_0_κ2_0 + X2_0_η2_0) / e);
@@ -410,25 +407,24 @@ pub mod andrews {
             // angle of `upper` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(-0.86);
             let sin_φ4_0_minus_δ_0 = (φ4_0 - δ_0).sin();
-            let t17 = sin_φ4_0_minus_δ_0 * sin_φ4_0_minus_δ_0;
+            let t15 = sin_φ4_0_minus_δ_0 * sin_φ4_0_minus_δ_0;
             // constant of the inertia
             let C4 = I5 + m5 * (ta * ta) + m5 * (tb * tb);
-            let t18 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ4_0).sin()
+            let t16 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ4_0).sin()
                 / sin_φ2_0_minus_φ3_0;
-            let t19 = rr * (beta0 - φ4_0).sin() - t18;
-            let t20 = C0 + t11 + t12 + C3 * (t16 * t16) / (e_squared * t17)
-                + C4 * (t19 * t19) / (zt_squared * t17);
+            let t17 = rr * (beta0 - φ4_0).sin() - t16;
+            let t18 = C0 + t10 + t11 + C3 * (t14 * t14) / (e_squared * t15)
+                + C4 * (t17 * t17) / (zt_squared * t15);
             // constant of the inertia
             let C5 = I6 + m6 * (fa * fa);
-            let t21 = zf_squared - u_squared;
-            let κ3_0 = (t21 + D2_0) * 0.5 / D2_0;
+            let t19 = zf_squared - u_squared;
+            let κ3_0 = (t19 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ3_0 = Y2_0 * κ3_0;
-            let t22 = u_2 * X2_0 * 0.3334870921408144 + u_2 * Y2_0 * 0.9427546655283462;
-            let t23 = (zf * X2_0 * 0.8468318446180152 - zf * Y2_0 * 0.5318607213743555)
-                / zf_squared;
+            let t20 = (Y2_0 * 0.9427546655283462 + X2_0 * 0.3334870921408144) / u_2
+                + (X2_0 * 0.8468318446180152 - Y2_0 * 0.5318607213743555) / zf;
             // which way the loop closes: as drawn
-            let s3_2 = (-(t22 / u_squared + t23)).if_positive(1.0, -1.0);
-            let η3_0 = s3_2 * (-t8).sqrt() * 0.5 / D2_0;
+            let ε3 = (-t20).if_positive(1.0, -1.0);
+            let η3_0 = ε3 * (-t7).sqrt() * 0.5 / D2_0;
             let X2_0_η3_0 = X2_0 * η3_0;
             let s7_0 = (Y2_0_κ3_0 - Y2_0 + X2_0_η3_0) / u_2;
             let X2_0_κ3_0 = X2_0 * κ3_0;
@@ -436,36 +432,36 @@ pub mod andrews {
             let c7_0 = -((X2_0 - X2_0_κ3_0 + Y2_0_η3_0) / u_2);
             // angle of `lower_arm` as assembled
             let φ7_0 = s7_0.atan2(c7_0).unwrap_to(-0.34);
-            let t24 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ7_0).sin()
+            let t21 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ7_0).sin()
                 / sin_φ2_0_minus_φ3_0;
-            let t25 = rr * (beta0 - φ7_0).sin() - t24;
+            let t22 = rr * (beta0 - φ7_0).sin() - t21;
             let s6_0 = -((Y2_0_κ3_0 + X2_0_η3_0) / zf);
             let c6_0 = -((X2_0_κ3_0 - Y2_0_η3_0) / zf);
             // angle of `lower` as assembled
             let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.01);
             let sin_φ6_0_minus_φ7_0 = (φ6_0 - φ7_0).sin();
-            let t26 = sin_φ6_0_minus_φ7_0 * sin_φ6_0_minus_φ7_0;
+            let t23 = sin_φ6_0_minus_φ7_0 * sin_φ6_0_minus_φ7_0;
             // constant of the inertia
             let C6 = I7 + m7 * (ua * ua) + m7 * (ub * ub);
-            let t27 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ6_0).sin()
+            let t24 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ6_0).sin()
                 / sin_φ2_0_minus_φ3_0;
-            let t28 = rr * (beta0 - φ6_0).sin() - t27;
-            let t29 = t20 + C5 * (t25 * t25) / (zf_squared * t26)
-                + C6 * (t28 * t28) / (u_squared * t26);
+            let t25 = rr * (beta0 - φ6_0).sin() - t24;
+            let t26 = t18 + C5 * (t22 * t22) / (zf_squared * t23)
+                + C6 * (t25 * t25) / (u_squared * t23);
             // constant of the inertia
             let C7 = -(rr * m2 * da * 2.0);
-            let t30 = rr * C7 * sin_beta0_minus_φ3_0 * cos_beta0_minus_φ2_0
+            let t27 = rr * C7 * sin_beta0_minus_φ3_0 * cos_beta0_minus_φ2_0
                 / (d_2 * sin_φ2_0_minus_φ3_0);
             // constant of the inertia
             let C8 = -(ss * m4 * ea * 2.0);
-            let t31 = rr * C8 * sin_beta0_minus_φ2_0 * t16 * (φ3_0 - φ4_0).cos()
+            let t28 = rr * C8 * sin_beta0_minus_φ2_0 * t14 * (φ3_0 - φ4_0).cos()
                 / (ss * e * sin_φ2_0_minus_φ3_0 * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C9 = -(ss * m6 * fa * 2.0);
-            let t32 = rr * C9 * sin_beta0_minus_φ2_0 * t25 * (φ3_0 - φ6_0).cos()
+            let t29 = rr * C9 * sin_beta0_minus_φ2_0 * t22 * (φ3_0 - φ6_0).cos()
                 / (ss * zf * sin_φ2_0_minus_φ3_0 * sin_φ6_0_minus_φ7_0);
             // inertia as assembled
-            let A_crank_0 = t29 + t30 - t31 - t32;
+            let A_crank_0 = t26 + t27 - t28 - t29;
             let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
             let Δx_pull_0 = xb - xc + sc * cos_φ3_0 - sd * sin_φ3_0;
             let Δy_pull_0 = yb - yc + sc * sin_φ3_0 + sd * cos_φ3_0;
@@ -563,7 +559,7 @@ pub mod andrews {
                         ),
                 );
             }
-            if !(-t7 >= 0.0) {
+            if !(-t6 >= 0.0) {
                 let sqrt_D2_0 = D2_0.sqrt();
                 return Err(
                     FAILURES[23]
@@ -577,7 +573,7 @@ pub mod andrews {
                         ),
                 );
             }
-            if !(-(t7 + 1e-12) > 0.0) {
+            if !(-(t6 + 1e-12) > 0.0) {
                 let sqrt_D2_0_2 = D2_0.sqrt();
                 return Err(
                     FAILURES[24]
@@ -592,7 +588,7 @@ pub mod andrews {
                         ),
                 );
             }
-            if !(-t9 >= 0.0) {
+            if !(-t8 >= 0.0) {
                 let sqrt_D2_0_3 = D2_0.sqrt();
                 return Err(
                     FAILURES[25]
@@ -607,7 +603,7 @@ pub mod andrews {
                         ),
                 );
             }
-            if !(-(t9 + 1e-12) > 0.0) {
+            if !(-(t8 + 1e-12) > 0.0) {
                 let sqrt_D2_0_4 = D2_0.sqrt();
                 return Err(
                     FAILURES[26]
@@ -647,28 +643,28 @@ pub mod andrews {
                 constant1: t3,
                 d_minus_ss_squared,
                 d_plus_ss_squared,
-                half_s1: s1 * 0.5,
+                half_ε1: ε1 * 0.5,
                 per_d: d_2.recip(),
                 per_ss: ss.recip(),
                 rr_per_d: rr / d_2,
                 C1,
                 rr_per_ss: rr / ss,
                 C2,
-                constant2: t13,
+                constant2: t12,
                 e_minus_zt_squared,
                 e_plus_zt_squared,
                 s2_0,
                 c2_0,
                 φ2_0,
-                half_s2_2: s2_2 * 0.5,
+                half_ε2: ε2 * 0.5,
                 per_e: e.recip(),
                 per_zt: zt.recip(),
                 C3,
                 C4,
-                constant3: t21,
+                constant3: t19,
                 zf_minus_u_squared,
                 zf_plus_u_squared,
-                half_s3_2: s3_2 * 0.5,
+                half_ε3: ε3 * 0.5,
                 per_zf: zf.recip(),
                 per_u: u_2.recip(),
                 C5,
@@ -682,8 +678,6 @@ pub mod andrews {
                 Δx_pull_0,
                 Δy_pull_0,
                 L_pull_0,
-                two_Δx_pull_0: Δx_pull_0 * 2.0,
-                two_Δy_pull_0: Δy_pull_0 * 2.0,
                 L_pull_0_minus_l0: L_pull_0 - l0,
                 two_C1: C1 * 2.0,
                 two_C2: C2 * 2.0,
@@ -698,8 +692,8 @@ pub mod andrews {
                 s4_0,
                 c4_0,
                 φ4_0,
-                s_0,
-                c_0,
+                s_δ_0,
+                c_δ_0,
                 δ_0,
                 s6_0,
                 c6_0,
@@ -762,8 +756,8 @@ pub mod andrews {
         pub d_minus_ss_squared: T,
         /// `(d + ss) * (d + ss)`
         pub d_plus_ss_squared: T,
-        /// `0.5 * s1`
-        pub half_s1: T,
+        /// `0.5 * ε1`
+        pub half_ε1: T,
         /// `1.0 / d`
         pub per_d: T,
         /// `1.0 / ss`
@@ -788,8 +782,8 @@ pub mod andrews {
         pub c2_0: T,
         /// `φ2⁰` angle of \`coupler\` as assembled
         pub φ2_0: T,
-        /// `0.5 * s2_2`
-        pub half_s2_2: T,
+        /// `0.5 * ε2`
+        pub half_ε2: T,
         /// `1.0 / e`
         pub per_e: T,
         /// `1.0 / zt`
@@ -804,8 +798,8 @@ pub mod andrews {
         pub zf_minus_u_squared: T,
         /// `(zf + u) * (zf + u)`
         pub zf_plus_u_squared: T,
-        /// `0.5 * s3_2`
-        pub half_s3_2: T,
+        /// `0.5 * ε3`
+        pub half_ε3: T,
         /// `1.0 / zf`
         pub per_zf: T,
         /// `1.0 / u`
@@ -832,10 +826,6 @@ pub mod andrews {
         pub Δy_pull_0: T,
         /// `L_pull⁰` length of \`pull\` as assembled
         pub L_pull_0: T,
-        /// `2.0 * Δx_pull⁰`
-        pub two_Δx_pull_0: T,
-        /// `2.0 * Δy_pull⁰`
-        pub two_Δy_pull_0: T,
         /// `L_pull⁰ - l0`
         pub L_pull_0_minus_l0: T,
         /// `2.0 * C1`
@@ -864,10 +854,10 @@ pub mod andrews {
         pub c4_0: T,
         /// `φ4⁰` angle of \`upper\` as assembled
         pub φ4_0: T,
-        /// `s⁰`
-        pub s_0: T,
-        /// `c⁰`
-        pub c_0: T,
+        /// `s_δ⁰`
+        pub s_δ_0: T,
+        /// `c_δ⁰`
+        pub c_δ_0: T,
         /// `δ⁰` angle of \`upper_arm\` as assembled
         pub δ_0: T,
         /// `s6⁰`
@@ -916,7 +906,7 @@ pub mod andrews {
                 constant1: turn(self.constant1),
                 d_minus_ss_squared: turn(self.d_minus_ss_squared),
                 d_plus_ss_squared: turn(self.d_plus_ss_squared),
-                half_s1: turn(self.half_s1),
+                half_ε1: turn(self.half_ε1),
                 per_d: turn(self.per_d),
                 per_ss: turn(self.per_ss),
                 rr_per_d: turn(self.rr_per_d),
@@ -929,7 +919,7 @@ pub mod andrews {
                 s2_0: turn(self.s2_0),
                 c2_0: turn(self.c2_0),
                 φ2_0: turn(self.φ2_0),
-                half_s2_2: turn(self.half_s2_2),
+                half_ε2: turn(self.half_ε2),
                 per_e: turn(self.per_e),
                 per_zt: turn(self.per_zt),
                 C3: turn(self.C3),
@@ -937,7 +927,7 @@ pub mod andrews {
                 constant3: turn(self.constant3),
                 zf_minus_u_squared: turn(self.zf_minus_u_squared),
                 zf_plus_u_squared: turn(self.zf_plus_u_squared),
-                half_s3_2: turn(self.half_s3_2),
+                half_ε3: turn(self.half_ε3),
                 per_zf: turn(self.per_zf),
                 per_u: turn(self.per_u),
                 C5: turn(self.C5),
@@ -951,8 +941,6 @@ pub mod andrews {
                 Δx_pull_0: turn(self.Δx_pull_0),
                 Δy_pull_0: turn(self.Δy_pull_0),
                 L_pull_0: turn(self.L_pull_0),
-                two_Δx_pull_0: turn(self.two_Δx_pull_0),
-                two_Δy_pull_0: turn(self.two_Δy_pull_0),
                 L_pull_0_minus_l0: turn(self.L_pull_0_minus_l0),
                 two_C1: turn(self.two_C1),
                 two_C2: turn(self.two_C2),
@@ -967,8 +955,8 @@ pub mod andrews {
                 s4_0: turn(self.s4_0),
                 c4_0: turn(self.c4_0),
                 φ4_0: turn(self.φ4_0),
-                s_0: turn(self.s_0),
-                c_0: turn(self.c_0),
+                s_δ_0: turn(self.s_δ_0),
+                c_δ_0: turn(self.c_δ_0),
                 δ_0: turn(self.δ_0),
                 s6_0: turn(self.s6_0),
                 c6_0: turn(self.c6_0),
@@ -1010,7 +998,7 @@ pub mod andrews {
         let Y1_κ1 = Y1 * κ1;
         let t1 = per_D1
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_s1 * t1;
+        let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
         let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
         let s2 = -per_d_Y1_κ1_plus_X1_η1;
@@ -1040,18 +1028,18 @@ pub mod andrews {
         let Y2_κ2 = Y2 * κ2;
         let t4 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t4;
+        let η2 = p.half_ε2 * t4;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
-        let c = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
-        let sin_φ4_minus_δ = s4 * c - c4 * s;
+        let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
+        let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
+        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
+        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
         let t5 = per_sin_φ4_minus_δ
             * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
         // rate of the angle of `upper` per unit rate of `crank`
@@ -1062,14 +1050,14 @@ pub mod andrews {
             * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
         let t7 = p.per_zt * t6;
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -t7;
+        let ω_δ = -t7;
         let t8 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
-            + p.C4 * (ω * ω);
+            + p.C4 * (ω_δ * ω_δ);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
         let t9 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t9;
+        let η3 = p.half_ε3 * t9;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1112,86 +1100,87 @@ pub mod andrews {
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
         let t15 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
-        let t16 = p.sc * t15;
-        let t17 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
-        let t18 = t16 + t17;
-        let t19 = p.two_Δx_pull_0 + t16 + t17;
-        let t20 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t21 = p.sd * t15;
-        let t22 = t20 + t21;
-        let t23 = p.two_Δy_pull_0 + t20 + t21;
-        let t24 = t18 * t19 + t22 * t23;
-        let t25 = p.Δx_pull_0 + t16 + t17;
-        let t26 = p.Δy_pull_0 + t20 + t21;
-        let t27 = (t25 * t25 + t26 * t26).sqrt();
-        let t28 = p.L_pull_0 + t27;
-        let t29 = t28.recip();
+        // change of Δx_pull
+        let δx_pull = p.sc * t15
+            + p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        // from end to end of `pull`
+        let Δx_pull = p.Δx_pull_0 + δx_pull;
+        // change of Δy_pull
+        let δy_pull = p.sc
+            * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            + p.sd * t15;
+        // from end to end of `pull`
+        let Δy_pull = p.Δy_pull_0 + δy_pull;
+        let t16 = δx_pull * (p.Δx_pull_0 + Δx_pull)
+            + δy_pull * (p.Δy_pull_0 + Δy_pull);
+        // length of `pull`
+        let L_pull = (Δx_pull * Δx_pull + Δy_pull * Δy_pull).sqrt();
+        // extension of `pull`
+        let e_pull = p.L_pull_0_minus_l0 + t16 * (p.L_pull_0 + L_pull).recip();
+        let t17 = ω3 * t2;
         let ω3_s3 = ω3 * s3;
-        let t30 = ω3 * t2;
-        let t31 = p.sc * ω3_s3 - p.sd * t30;
-        let t32 = p.sc * t30 + p.sd * ω3_s3;
-        let t33 = t27.recip() * t24 * (t28 * t28).recip()
-            * (t25 * t31 * 2.0 + t26 * t32 * 2.0);
-        let t34 = (p.L_pull_0_minus_l0 + t24 * t29)
-            * (t29 * (t19 * t31 + t18 * t31 + t23 * t32 + t22 * t32) - t33 * 0.5);
-        // springs
-        let dP_s_dβ = -(p.c0 * t34);
+        let t18 = Δy_pull * (p.sc * t17 + p.sd * ω3_s3)
+            + Δx_pull * (p.sc * ω3_s3 - p.sd * t17);
+        // lever of `pull`: change of its length
+        let dL_pull_dβ = -(L_pull.recip() * t18);
+        // slope of the potential energy of springs
+        let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
-        let t35 = ω2 + t3;
+        let t19 = ω2 + t3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t36 = p.rr * (cos_β_minus_φ3 * (ω3 - 1.0))
-            + p.d * (ω2 * t35 * cos_φ2_minus_φ3);
-        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t36));
+        let t20 = p.rr * (cos_β_minus_φ3 * (ω3 - 1.0))
+            + p.d * (ω2 * t19 * cos_φ2_minus_φ3);
+        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t20));
         let ω2_minus_one = ω2 - 1.0;
-        let t37 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
-            - p.ss * (ω3 * t35 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t37);
-        let cos_β_minus_δ = cos_β * c + sin_β * s;
-        let t38 = p.rr * (cos_β_minus_δ * (ω - 1.0))
+        let t21 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
+            - p.ss * (ω3 * t19 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t21);
+        let cos_β_minus_δ = cos_β * c_δ + sin_β * s_δ;
+        let t22 = p.rr * (cos_β_minus_δ * (ω_δ - 1.0))
             + p.d * (ω2_prime * sin_φ2_minus_δ);
-        let cos_φ2_minus_δ = c2 * c + s2 * s;
-        let t39 = ω4 + t7;
-        let cos_φ4_minus_δ = c4 * c + s4 * s;
-        let t40 = t38 + p.d * (ω2 * (ω2 + t7) * cos_φ2_minus_δ)
-            + p.e * (ω4 * t39 * cos_φ4_minus_δ);
-        let ω4_prime = -(p.per_e * (per_sin_φ4_minus_δ * t40));
-        let t41 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let cos_φ2_minus_δ = c2 * c_δ + s2 * s_δ;
+        let t23 = ω4 + t7;
+        let cos_φ4_minus_δ = c4 * c_δ + s4 * s_δ;
+        let t24 = t22 + p.d * (ω2 * (ω2 + t7) * cos_φ2_minus_δ)
+            + p.e * (ω4 * t23 * cos_φ4_minus_δ);
+        let ω4_prime = -(p.per_e * (per_sin_φ4_minus_δ * t24));
+        let t25 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω4 * ω4_prime);
         let cos_β_minus_φ4 = cos_β * c4 + sin_β * s4;
-        let t42 = p.rr * (cos_β_minus_φ4 * (ω4 - 1.0))
+        let t26 = p.rr * (cos_β_minus_φ4 * (ω4 - 1.0))
             + p.d * (ω2_prime * sin_φ2_minus_φ4);
         let cos_φ2_minus_φ4 = c2 * c4 + s2 * s4;
-        let t43 = t42 + p.d * (ω2 * (ω2 - ω4) * cos_φ2_minus_φ4)
-            - p.zt * (ω * t39 * cos_φ4_minus_δ);
-        let ω_prime = p.per_zt * (per_sin_φ4_minus_δ * t43);
+        let t27 = t26 + p.d * (ω2 * (ω2 - ω4) * cos_φ2_minus_φ4)
+            - p.zt * (ω_δ * t23 * cos_φ4_minus_δ);
+        let ω_δ_prime = p.per_zt * (per_sin_φ4_minus_δ * t27);
         let cos_β_minus_φ7 = cos_β * c7 + sin_β * s7;
-        let t44 = p.rr * (cos_β_minus_φ7 * (ω7 - 1.0))
+        let t28 = p.rr * (cos_β_minus_φ7 * (ω7 - 1.0))
             + p.d * (ω2_prime * sin_φ2_minus_φ7);
         let cos_φ2_minus_φ7 = c2 * c7 + s2 * s7;
-        let t45 = ω6 + t12;
+        let t29 = ω6 + t12;
         let cos_φ6_minus_φ7 = c6 * c7 + s6 * s7;
-        let t46 = t44 + p.d * (ω2 * (ω2 + t12) * cos_φ2_minus_φ7)
-            + p.zf * (ω6 * t45 * cos_φ6_minus_φ7);
-        let ω6_prime = -(p.per_zf * (per_sin_φ6_minus_φ7 * t46));
+        let t30 = t28 + p.d * (ω2 * (ω2 + t12) * cos_φ2_minus_φ7)
+            + p.zf * (ω6 * t29 * cos_φ6_minus_φ7);
+        let ω6_prime = -(p.per_zf * (per_sin_φ6_minus_φ7 * t30));
         let cos_β_minus_φ6 = cos_β * c6 + sin_β * s6;
-        let t47 = p.rr * (cos_β_minus_φ6 * (ω6 - 1.0))
+        let t31 = p.rr * (cos_β_minus_φ6 * (ω6 - 1.0))
             + p.d * (ω2_prime * sin_φ2_minus_φ6);
         let cos_φ2_minus_φ6 = c2 * c6 + s2 * s6;
-        let t48 = t47 + p.d * (ω2 * (ω2 - ω6) * cos_φ2_minus_φ6)
-            - p.u * (ω7 * t45 * cos_φ6_minus_φ7);
-        let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t48);
-        let t49 = t41 + p.two_C4 * (ω * ω_prime) + p.two_C5 * (ω6 * ω6_prime)
+        let t32 = t31 + p.d * (ω2 * (ω2 - ω6) * cos_φ2_minus_φ6)
+            - p.u * (ω7 * t29 * cos_φ6_minus_φ7);
+        let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t32);
+        let t33 = t25 + p.two_C4 * (ω_δ * ω_δ_prime) + p.two_C5 * (ω6 * ω6_prime)
             + p.two_C6 * (ω7 * ω7_prime);
-        let t50 = t49 + p.C7 * (ω2_prime * cos_β_minus_φ2)
+        let t34 = t33 + p.C7 * (ω2_prime * cos_β_minus_φ2)
             + p.C7 * (sin_β_minus_φ2 * ω2 * ω2_minus_one);
-        let t51 = t50 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
+        let t35 = t34 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
             + p.C8 * (ω3 * ω4_prime * cos_φ3_minus_φ4);
         let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
-        let t52 = t51 - p.C8 * (ω3_ω4 * (ω3 - ω4) * sin_φ3_minus_φ4)
+        let t36 = t35 - p.C8 * (ω3_ω4 * (ω3 - ω4) * sin_φ3_minus_φ4)
             + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
         let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
-        // its derivative
-        let dA_dβ = t52 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
+        // slope of the inertia
+        let dA_dβ = t36 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
             - p.C9 * (ω3_ω6 * (ω3 - ω6) * sin_φ3_minus_φ6);
         // ── state ──
         let ddβ = -(A.recip() * (dP_s_dβ - p.mom + dA_dβ * 0.5 * (dβ * dβ)));
@@ -1225,7 +1214,7 @@ pub mod andrews {
         let Y1_κ1 = Y1 * κ1;
         let t1 = per_D1
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_s1 * t1;
+        let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
         let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
         let s2 = -per_d_Y1_κ1_plus_X1_η1;
@@ -1256,18 +1245,18 @@ pub mod andrews {
         let Y2_κ2 = Y2 * κ2;
         let t4 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t4;
+        let η2 = p.half_ε2 * t4;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
-        let c = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
-        let sin_φ4_minus_δ = s4 * c - c4 * s;
+        let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
+        let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
+        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
+        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
         let ω2_sin_φ2_minus_δ = ω2 * sin_φ2_minus_δ;
         let t5 = per_sin_φ4_minus_δ
             * (p.rr * sin_β_minus_δ - p.d * ω2_sin_φ2_minus_δ);
@@ -1281,12 +1270,12 @@ pub mod andrews {
             * (p.rr * sin_β_minus_φ4 - p.d * ω2_sin_φ2_minus_φ4);
         let t8 = p.per_zt * t7;
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -t8;
+        let ω_δ = -t8;
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
         let t9 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t9;
+        let η3 = p.half_ε3 * t9;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1313,7 +1302,7 @@ pub mod andrews {
         let ω7 = -t12;
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
         let ω2_cos_β_minus_φ2 = ω2 * cos_β_minus_φ2;
-        let t13 = t6 + p.C4 * (ω * ω) + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t13 = t6 + p.C4 * (ω_δ * ω_δ) + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * ω2_cos_β_minus_φ2;
         let ω3_ω4 = ω3 * ω4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
@@ -1336,14 +1325,14 @@ pub mod andrews {
         let t17 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
             - p.ss * (ω3 * t14 * cos_φ2_minus_φ3);
         let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t17);
-        let cos_β_minus_δ = cos_β * c + sin_β * s;
-        let ω_minus_one = ω - 1.0;
-        let t18 = p.rr * (cos_β_minus_δ * ω_minus_one)
+        let cos_β_minus_δ = cos_β * c_δ + sin_β * s_δ;
+        let ω_δ_minus_one = ω_δ - 1.0;
+        let t18 = p.rr * (cos_β_minus_δ * ω_δ_minus_one)
             + p.d * (ω2_prime * sin_φ2_minus_δ);
         let t19 = ω2 + t8;
-        let cos_φ2_minus_δ = c2 * c + s2 * s;
+        let cos_φ2_minus_δ = c2 * c_δ + s2 * s_δ;
         let t20 = ω4 + t8;
-        let cos_φ4_minus_δ = c4 * c + s4 * s;
+        let cos_φ4_minus_δ = c4 * c_δ + s4 * s_δ;
         let t21 = t18 + p.d * (ω2 * t19 * cos_φ2_minus_δ)
             + p.e * (ω4 * t20 * cos_φ4_minus_δ);
         let t22 = p.per_e * (per_sin_φ4_minus_δ * t21);
@@ -1357,8 +1346,8 @@ pub mod andrews {
         let ω2_minus_ω4 = ω2 - ω4;
         let cos_φ2_minus_φ4 = c2 * c4 + s2 * s4;
         let t25 = t24 + p.d * (ω2 * ω2_minus_ω4 * cos_φ2_minus_φ4)
-            - p.zt * (ω * t20 * cos_φ4_minus_δ);
-        let ω_prime = p.per_zt * (per_sin_φ4_minus_δ * t25);
+            - p.zt * (ω_δ * t20 * cos_φ4_minus_δ);
+        let ω_δ_prime = p.per_zt * (per_sin_φ4_minus_δ * t25);
         let cos_β_minus_φ7 = cos_β * c7 + sin_β * s7;
         let ω7_minus_one = ω7 - 1.0;
         let t26 = p.rr * (cos_β_minus_φ7 * ω7_minus_one)
@@ -1380,7 +1369,7 @@ pub mod andrews {
         let t32 = t31 + p.d * (ω2 * ω2_minus_ω6 * cos_φ2_minus_φ6)
             - p.u * (ω7 * t28 * cos_φ6_minus_φ7);
         let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t32);
-        let t33 = t23 + p.two_C4 * (ω * ω_prime) + p.two_C5 * (ω6 * ω6_prime)
+        let t33 = t23 + p.two_C4 * (ω_δ * ω_δ_prime) + p.two_C5 * (ω6 * ω6_prime)
             + p.two_C6 * (ω7 * ω7_prime);
         let ω2_prime_cos_β_minus_φ2 = ω2_prime * cos_β_minus_φ2;
         let sin_β_minus_φ2_ω2 = sin_β_minus_φ2 * ω2;
@@ -1398,7 +1387,7 @@ pub mod andrews {
         let ω3_ω6_prime = ω3 * ω6_prime;
         let ω3_minus_ω6 = ω3 - ω6;
         let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
-        // its derivative
+        // slope of the inertia
         let dA_dβ = t36 + p.C9 * (ω3_ω6_prime * cos_φ3_minus_φ6)
             - p.C9 * (ω3_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6);
         let t37 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
@@ -1411,160 +1400,169 @@ pub mod andrews {
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
         let t38 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
-        let t39 = p.sc * t38;
-        let t40 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
-        let t41 = t39 + t40;
-        let t42 = p.two_Δx_pull_0 + t39 + t40;
-        let t43 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t44 = p.sd * t38;
-        let t45 = t43 + t44;
-        let t46 = p.two_Δy_pull_0 + t43 + t44;
-        let t47 = t41 * t42 + t45 * t46;
-        let t48 = p.Δx_pull_0 + t39 + t40;
-        let t49 = p.Δy_pull_0 + t43 + t44;
-        let t50 = t48 * t48 + t49 * t49;
-        let t51 = t50.sqrt();
-        let t52 = p.L_pull_0 + t51;
-        let t53 = t52.recip();
-        let t54 = p.L_pull_0_minus_l0 + t47 * t53;
+        // change of Δx_pull
+        let δx_pull = p.sc * t38
+            + p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        // from end to end of `pull`
+        let Δx_pull = p.Δx_pull_0 + δx_pull;
+        let Δx_pull_0_plus_Δx_pull = p.Δx_pull_0 + Δx_pull;
+        // change of Δy_pull
+        let δy_pull = p.sc
+            * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            + p.sd * t38;
+        // from end to end of `pull`
+        let Δy_pull = p.Δy_pull_0 + δy_pull;
+        let Δy_pull_0_plus_Δy_pull = p.Δy_pull_0 + Δy_pull;
+        let t39 = δx_pull * Δx_pull_0_plus_Δx_pull
+            + δy_pull * Δy_pull_0_plus_Δy_pull;
+        // length of `pull`
+        let L_pull = (Δx_pull * Δx_pull + Δy_pull * Δy_pull).sqrt();
+        let L_pull_0_plus_L_pull = p.L_pull_0 + L_pull;
+        let per_L_pull_0_plus_L_pull = L_pull_0_plus_L_pull.recip();
+        // extension of `pull`
+        let e_pull = p.L_pull_0_minus_l0 + t39 * per_L_pull_0_plus_L_pull;
+        let per_L_pull = L_pull.recip();
+        let t40 = ω3 * t2;
         let ω3_s3 = ω3 * s3;
-        let t55 = ω3 * t2;
-        let t56 = p.sc * ω3_s3 - p.sd * t55;
-        let t57 = p.sc * t55 + p.sd * ω3_s3;
-        let t58 = t42 * t56 + t41 * t56 + t46 * t57 + t45 * t57;
-        let t59 = t51.recip();
-        let t60 = t52 * t52;
-        let t61 = t60.recip();
-        let t62 = t59 * t47 * t61;
-        let t63 = t48 * t56 * 2.0 + t49 * t57 * 2.0;
-        let t64 = t53 * t58 - t62 * t63 * 0.5;
-        // springs
-        let dP_s_dβ = -(p.c0 * (t54 * t64));
+        let t41 = p.sc * t40 + p.sd * ω3_s3;
+        let sc_ω3_s3 = p.sc * ω3_s3;
+        let t42 = p.sd * t40;
+        let t43 = sc_ω3_s3 - t42;
+        let t44 = Δy_pull * t41 + Δx_pull * t43;
+        // lever of `pull`: change of its length
+        let dL_pull_dβ = -(per_L_pull * t44);
+        // slope of the potential energy of springs
+        let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
         let per_A = A.recip();
-        let ω3_prime_s3 = ω3_prime * s3;
-        let t65 = ω3_squared * t2;
-        let t66 = ω3_prime * t2;
+        let dδx_pull_dβ = t42 - sc_ω3_s3;
+        let dδy_pull_dβ = -t41;
+        let t45 = Δx_pull_0_plus_Δx_pull * dδx_pull_dβ + δx_pull * dδx_pull_dβ
+            + Δy_pull_0_plus_Δy_pull * dδy_pull_dβ;
+        let dL_pull_dβ_2 = (Δx_pull * dδx_pull_dβ * 2.0
+            + Δy_pull * dδy_pull_dβ * 2.0) * 0.5 / L_pull;
+        let t46 = t39 * (L_pull_0_plus_L_pull * L_pull_0_plus_L_pull).recip()
+            * dL_pull_dβ_2;
+        let de_pull_dβ = per_L_pull_0_plus_L_pull * (t45 + δy_pull * dδy_pull_dβ)
+            - t46;
+        let t47 = ω3_prime * t2;
         let ω3_squared_s3 = ω3_squared * s3;
-        let t67 = p.sc * ω3_prime_s3 - p.sc * t65 - p.sd * t66 - p.sd * ω3_squared_s3;
-        let t68 = t56 * t56;
-        let t69 = t57 * t57;
-        let t70 = p.sc * t66 + p.sc * ω3_squared_s3 + p.sd * ω3_prime_s3 - p.sd * t65;
-        let t71 = t42 * t67 - t68 * 2.0 + t41 * t67 - t69 * 2.0 + t46 * t70 + t45 * t70;
-        let t72 = t59 * t61 * t63 * t58;
-        let t73 = t63 * t63;
-        let t74 = t50.recip() * t47 * (t52 * t60).recip() * t73 - t72
-            + t62 * ((t48 * t67 - t68) * 2.0 - (t69 - t49 * t70) * 2.0);
-        let t75 = t53 * t71 + t72 * 0.5
-            - (t74 + (t51 * (t51 * t51)).recip() * t47 * t61 * t73 * 0.5) * 0.5;
-        let ddP_s_dβ_dβ = p.c0 * (t64 * t64) - p.c0 * (t54 * t75);
-        let t76 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t14
+        let ω3_prime_s3 = ω3_prime * s3;
+        let t48 = ω3_squared * t2;
+        let t49 = p.sc * t47 + p.sc * ω3_squared_s3 + p.sd * ω3_prime_s3 - p.sd * t48;
+        let t50 = p.sc * ω3_prime_s3 - p.sc * t48 - p.sd * t47 - p.sd * ω3_squared_s3;
+        let t51 = t41 * dδy_pull_dβ + Δy_pull * t49 + t43 * dδx_pull_dβ
+            + Δx_pull * t50;
+        let ddL_pull_dβ_dβ = (L_pull * L_pull).recip() * t44 * dL_pull_dβ_2
+            - per_L_pull * t51;
+        let ddP_s_dβ_dβ = p.c0 * (dL_pull_dβ * de_pull_dβ)
+            + p.c0 * (e_pull * ddL_pull_dβ_dβ);
+        let t52 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t14
             * cos_φ2_minus_φ3;
-        let t77 = p.rr * (sin_β_minus_φ3 * (ω3_minus_one * ω3_minus_one))
+        let t53 = p.rr * (sin_β_minus_φ3 * (ω3_minus_one * ω3_minus_one))
             + p.rr * (cos_β_minus_φ3 * ω3_prime);
-        let t78 = t14 * cos_φ2_minus_φ3;
+        let t54 = t14 * cos_φ2_minus_φ3;
         let ω2_prime_minus_ω3_prime = ω2_prime - ω3_prime;
-        let t79 = t77 + p.d * (t78 * ω2_prime)
+        let t55 = t53 + p.d * (t54 * ω2_prime)
             + p.d * (ω2 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
-        let t80 = t14 * t14;
-        let t81 = p.per_d
-            * (per_sin_φ2_minus_φ3 * (t79 - p.d * (sin_φ2_minus_φ3 * ω2 * t80)));
-        let dω2_prime_dβ = p.per_d * (t76 * t15) - t81;
+        let t56 = t14 * t14;
+        let t57 = p.per_d
+            * (per_sin_φ2_minus_φ3 * (t55 - p.d * (sin_φ2_minus_φ3 * ω2 * t56)));
+        let dω2_prime_dβ = p.per_d * (t52 * t15) - t57;
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
-        let t82 = p.rr * (sin_β_minus_φ2 * ω2_minus_one_squared)
+        let t58 = p.rr * (sin_β_minus_φ2 * ω2_minus_one_squared)
             + p.rr * ω2_prime_cos_β_minus_φ2;
-        let t83 = t82 - p.ss * (t78 * ω3_prime)
+        let t59 = t58 - p.ss * (t54 * ω3_prime)
             - p.ss * (ω3 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
-        let t84 = p.per_ss
-            * (per_sin_φ2_minus_φ3 * (t83 + p.ss * (sin_φ2_minus_φ3 * ω3 * t80)));
-        let dω3_prime_dβ = t84 - p.per_ss * (t76 * t17);
-        let t85 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dβ)) * 2.0
+        let t60 = p.per_ss
+            * (per_sin_φ2_minus_φ3 * (t59 + p.ss * (sin_φ2_minus_φ3 * ω3 * t56)));
+        let dω3_prime_dβ = t60 - p.per_ss * (t52 * t17);
+        let t61 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dβ)) * 2.0
             + (p.C2 * (ω3_prime * ω3_prime) + p.C2 * (ω3 * dω3_prime_dβ)) * 2.0;
-        let t86 = (sin_φ4_minus_δ * sin_φ4_minus_δ).recip() * t20 * cos_φ4_minus_δ;
-        let t87 = p.rr * (sin_β_minus_δ * (ω_minus_one * ω_minus_one))
-            + p.rr * (cos_β_minus_δ * ω_prime);
-        let t88 = t87 + p.d * (sin_φ2_minus_δ * dω2_prime_dβ)
+        let t62 = (sin_φ4_minus_δ * sin_φ4_minus_δ).recip() * t20 * cos_φ4_minus_δ;
+        let t63 = p.rr * (sin_β_minus_δ * (ω_δ_minus_one * ω_δ_minus_one))
+            + p.rr * (cos_β_minus_δ * ω_δ_prime);
+        let t64 = t63 + p.d * (sin_φ2_minus_δ * dω2_prime_dβ)
             + p.two_d * (ω2_prime * t19 * cos_φ2_minus_δ);
-        let t89 = t88 + p.d * (ω2 * cos_φ2_minus_δ * (ω2_prime - ω_prime))
+        let t65 = t64 + p.d * (ω2 * cos_φ2_minus_δ * (ω2_prime - ω_δ_prime))
             - p.d * (ω2_sin_φ2_minus_δ * (t19 * t19));
-        let t90 = t20 * cos_φ4_minus_δ;
-        let ω4_prime_minus_ω_prime = ω4_prime - ω_prime;
-        let t91 = t89 + p.e * (t90 * ω4_prime)
-            + p.e * (ω4 * cos_φ4_minus_δ * ω4_prime_minus_ω_prime);
-        let t92 = t20 * t20;
-        let t93 = p.per_e
-            * (per_sin_φ4_minus_δ * (t91 - p.e * (sin_φ4_minus_δ * ω4 * t92)));
-        let dω4_prime_dβ = p.per_e * (t86 * t21) - t93;
-        let t94 = t85
+        let t66 = t20 * cos_φ4_minus_δ;
+        let ω4_prime_minus_ω_δ_prime = ω4_prime - ω_δ_prime;
+        let t67 = t65 + p.e * (t66 * ω4_prime)
+            + p.e * (ω4 * cos_φ4_minus_δ * ω4_prime_minus_ω_δ_prime);
+        let t68 = t20 * t20;
+        let t69 = p.per_e
+            * (per_sin_φ4_minus_δ * (t67 - p.e * (sin_φ4_minus_δ * ω4 * t68)));
+        let dω4_prime_dβ = p.per_e * (t62 * t21) - t69;
+        let t70 = t61
             + (p.C3 * (ω4_prime * ω4_prime) + p.C3 * (ω4 * dω4_prime_dβ)) * 2.0;
-        let t95 = p.rr * (sin_β_minus_φ4 * (ω4_minus_one * ω4_minus_one))
+        let t71 = p.rr * (sin_β_minus_φ4 * (ω4_minus_one * ω4_minus_one))
             + p.rr * (ω4_prime * cos_β_minus_φ4);
-        let t96 = t95 + p.d * (sin_φ2_minus_φ4 * dω2_prime_dβ)
+        let t72 = t71 + p.d * (sin_φ2_minus_φ4 * dω2_prime_dβ)
             + p.two_d * (ω2_prime * ω2_minus_ω4 * cos_φ2_minus_φ4);
-        let t97 = t96 + p.d * (ω2 * cos_φ2_minus_φ4 * (t22 - t16))
+        let t73 = t72 + p.d * (ω2 * cos_φ2_minus_φ4 * (t22 - t16))
             - p.d * (ω2_sin_φ2_minus_φ4 * (ω2_minus_ω4 * ω2_minus_ω4));
-        let t98 = t97 - p.zt * (t90 * ω_prime)
-            - p.zt * (ω * cos_φ4_minus_δ * ω4_prime_minus_ω_prime);
-        let t99 = p.per_zt
-            * (per_sin_φ4_minus_δ * (t98 + p.zt * (sin_φ4_minus_δ * ω * t92)));
-        let dω_prime_dβ = t99 - p.per_zt * (t86 * t25);
-        let t100 = t94
-            + (p.C4 * (ω_prime * ω_prime) + p.C4 * (ω * dω_prime_dβ)) * 2.0;
-        let t101 = (sin_φ6_minus_φ7 * sin_φ6_minus_φ7).recip() * t28
+        let t74 = t73 - p.zt * (t66 * ω_δ_prime)
+            - p.zt * (ω_δ * cos_φ4_minus_δ * ω4_prime_minus_ω_δ_prime);
+        let t75 = p.per_zt
+            * (per_sin_φ4_minus_δ * (t74 + p.zt * (sin_φ4_minus_δ * ω_δ * t68)));
+        let dω_δ_prime_dβ = t75 - p.per_zt * (t62 * t25);
+        let t76 = (p.C4 * (ω_δ_prime * ω_δ_prime)
+            + p.C4 * (ω_δ * dω_δ_prime_dβ)) * 2.0;
+        let t77 = (sin_φ6_minus_φ7 * sin_φ6_minus_φ7).recip() * t28
             * cos_φ6_minus_φ7;
-        let t102 = p.rr * (sin_β_minus_φ7 * (ω7_minus_one * ω7_minus_one))
+        let t78 = p.rr * (sin_β_minus_φ7 * (ω7_minus_one * ω7_minus_one))
             + p.rr * (cos_β_minus_φ7 * ω7_prime);
-        let t103 = t102 + p.d * (sin_φ2_minus_φ7 * dω2_prime_dβ)
+        let t79 = t78 + p.d * (sin_φ2_minus_φ7 * dω2_prime_dβ)
             + p.two_d * (ω2_prime * t27 * cos_φ2_minus_φ7);
-        let t104 = t103 + p.d * (ω2 * cos_φ2_minus_φ7 * (ω2_prime - ω7_prime))
+        let t80 = t79 + p.d * (ω2 * cos_φ2_minus_φ7 * (ω2_prime - ω7_prime))
             - p.d * (ω2_sin_φ2_minus_φ7 * (t27 * t27));
-        let t105 = t28 * cos_φ6_minus_φ7;
+        let t81 = t28 * cos_φ6_minus_φ7;
         let ω6_prime_minus_ω7_prime = ω6_prime - ω7_prime;
-        let t106 = t104 + p.zf * (t105 * ω6_prime)
+        let t82 = t80 + p.zf * (t81 * ω6_prime)
             + p.zf * (ω6 * cos_φ6_minus_φ7 * ω6_prime_minus_ω7_prime);
-        let t107 = t28 * t28;
-        let t108 = per_sin_φ6_minus_φ7
-            * (t106 - p.zf * (sin_φ6_minus_φ7 * ω6 * t107));
-        let dω6_prime_dβ = p.per_zf * (t101 * t29) - p.per_zf * t108;
-        let t109 = t100
+        let t83 = t28 * t28;
+        let t84 = p.per_zf
+            * (per_sin_φ6_minus_φ7 * (t82 - p.zf * (sin_φ6_minus_φ7 * ω6 * t83)));
+        let dω6_prime_dβ = p.per_zf * (t77 * t29) - t84;
+        let t85 = t70 + t76
             + (p.C5 * (ω6_prime * ω6_prime) + p.C5 * (ω6 * dω6_prime_dβ)) * 2.0;
-        let t110 = p.rr * (sin_β_minus_φ6 * (ω6_minus_one * ω6_minus_one))
+        let t86 = p.rr * (sin_β_minus_φ6 * (ω6_minus_one * ω6_minus_one))
             + p.rr * (ω6_prime * cos_β_minus_φ6);
-        let t111 = t110 + p.d * (sin_φ2_minus_φ6 * dω2_prime_dβ)
+        let t87 = t86 + p.d * (sin_φ2_minus_φ6 * dω2_prime_dβ)
             + p.two_d * (ω2_prime * ω2_minus_ω6 * cos_φ2_minus_φ6);
-        let t112 = t111 + p.d * (ω2 * cos_φ2_minus_φ6 * (t30 - t16))
+        let t88 = t87 + p.d * (ω2 * cos_φ2_minus_φ6 * (t30 - t16))
             - p.d * (ω2_sin_φ2_minus_φ6 * (ω2_minus_ω6 * ω2_minus_ω6));
-        let t113 = t112 - p.u * (t105 * ω7_prime)
+        let t89 = t88 - p.u * (t81 * ω7_prime)
             - p.u * (ω7 * cos_φ6_minus_φ7 * ω6_prime_minus_ω7_prime);
-        let t114 = p.per_u
-            * (per_sin_φ6_minus_φ7 * (t113 + p.u * (sin_φ6_minus_φ7 * ω7 * t107)));
-        let dω7_prime_dβ = t114 - p.per_u * (t101 * t32);
-        let t115 = t109
+        let t90 = p.per_u
+            * (per_sin_φ6_minus_φ7 * (t89 + p.u * (sin_φ6_minus_φ7 * ω7 * t83)));
+        let dω7_prime_dβ = t90 - p.per_u * (t77 * t32);
+        let t91 = t85
             + (p.C6 * (ω7_prime * ω7_prime) + p.C6 * (ω7 * dω7_prime_dβ)) * 2.0;
-        let t116 = t115 + p.C7 * (cos_β_minus_φ2 * dω2_prime_dβ)
+        let t92 = t91 + p.C7 * (cos_β_minus_φ2 * dω2_prime_dβ)
             + p.two_C7 * (sin_β_minus_φ2 * ω2_prime * ω2_minus_one);
-        let t117 = t116 + p.C7 * (sin_β_minus_φ2_ω2 * ω2_prime)
+        let t93 = t92 + p.C7 * (sin_β_minus_φ2_ω2 * ω2_prime)
             - p.C7 * (ω2_cos_β_minus_φ2 * ω2_minus_one_squared);
-        let t118 = t117 + p.C8 * (ω4 * cos_φ3_minus_φ4 * dω3_prime_dβ)
+        let t94 = t93 + p.C8 * (ω4 * cos_φ3_minus_φ4 * dω3_prime_dβ)
             + p.two_C8 * (ω3_prime * ω4_prime * cos_φ3_minus_φ4);
-        let t119 = t118 - p.two_C8 * (ω3_prime_ω4 * ω3_minus_ω4 * sin_φ3_minus_φ4)
+        let t95 = t94 - p.two_C8 * (ω3_prime_ω4 * ω3_minus_ω4 * sin_φ3_minus_φ4)
             + p.C8 * (ω3 * cos_φ3_minus_φ4 * dω4_prime_dβ);
-        let t120 = t119 - p.two_C8 * (ω3_ω4_prime * ω3_minus_ω4 * sin_φ3_minus_φ4)
+        let t96 = t95 - p.two_C8 * (ω3_ω4_prime * ω3_minus_ω4 * sin_φ3_minus_φ4)
             - p.C8 * (ω3_ω4 * sin_φ3_minus_φ4 * (ω3_prime + t22));
-        let t121 = t120
-            - p.C8 * (ω3_ω4_cos_φ3_minus_φ4 * (ω3_minus_ω4 * ω3_minus_ω4));
-        let t122 = t121 + p.C9 * (ω6 * cos_φ3_minus_φ6 * dω3_prime_dβ)
-            + p.two_C9 * (ω3_prime * ω6_prime * cos_φ3_minus_φ6);
-        let t123 = t122 - p.two_C9 * (ω3_prime_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6)
-            + p.C9 * (ω3 * cos_φ3_minus_φ6 * dω6_prime_dβ);
-        let t124 = t123 - p.two_C9 * (ω3_ω6_prime * ω3_minus_ω6 * sin_φ3_minus_φ6)
-            - p.C9 * (ω3_ω6 * sin_φ3_minus_φ6 * (ω3_prime + t30));
-        let ddA_dβ_dβ = t124
+        let t97 = t96
+            - p.C8 * (ω3_ω4_cos_φ3_minus_φ4 * (ω3_minus_ω4 * ω3_minus_ω4))
+            + p.C9 * (ω6 * cos_φ3_minus_φ6 * dω3_prime_dβ);
+        let t98 = t97 + p.two_C9 * (ω3_prime * ω6_prime * cos_φ3_minus_φ6)
+            - p.two_C9 * (ω3_prime_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6);
+        let t99 = t98 + p.C9 * (ω3 * cos_φ3_minus_φ6 * dω6_prime_dβ)
+            - p.two_C9 * (ω3_ω6_prime * ω3_minus_ω6 * sin_φ3_minus_φ6);
+        let ddA_dβ_dβ = t99 - p.C9 * (ω3_ω6 * sin_φ3_minus_φ6 * (ω3_prime + t30))
             - p.C9 * (ω3_ω6_cos_φ3_minus_φ6 * (ω3_minus_ω6 * ω3_minus_ω6));
         // ── state ──
         let dβ_squared = dβ * dβ;
-        let t125 = (A * A).recip() * dA_dβ
+        let t100 = (A * A).recip() * dA_dβ
             * (dP_s_dβ - p.mom + dA_dβ * 0.5 * dβ_squared);
-        let dddβ_dβ = t125 - per_A * (ddP_s_dβ_dβ + ddA_dβ_dβ * 0.5 * dβ_squared);
+        let dddβ_dβ = t100 - per_A * (ddP_s_dβ_dβ + ddA_dβ_dβ * 0.5 * dβ_squared);
         let dddβ_ddβ = -(per_A * dA_dβ * dβ);
         result[1] = T::from_f64(1.0);
         result[2] = dddβ_dβ;
@@ -1602,7 +1600,7 @@ pub mod andrews {
         let Y1_κ1 = Y1 * κ1;
         let t1 = per_D1
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_s1 * t1;
+        let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
         let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
         let s2 = -per_d_Y1_κ1_plus_X1_η1;
@@ -1632,7 +1630,7 @@ pub mod andrews {
         let Y2_κ2 = Y2 * κ2;
         let t4 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t4;
+        let η2 = p.half_ε2 * t4;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
@@ -1643,34 +1641,34 @@ pub mod andrews {
         let φ4_minus_φ4_0 = t5.unwrap_to(turn_upper);
         // angle of `upper`
         let φ4 = p.φ4_0 + φ4_minus_φ4_0;
-        let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
-        let c = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
+        let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let t6 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
+            .atan2(p.c_δ_0 * c_δ + p.s_δ_0 * s_δ);
         // angle of `upper_arm` from the assembled one
-        let δ_minus_δ_0 = (p.c_0 * s - p.s_0 * c)
-            .atan2(p.c_0 * c + p.s_0 * s)
-            .unwrap_to(turn_upper_arm);
+        let δ_minus_δ_0 = t6.unwrap_to(turn_upper_arm);
         // angle of `upper_arm`
         let δ = p.δ_0 + δ_minus_δ_0;
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t6 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t6;
+        let η3 = p.half_ε3 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
         let Y2_η3 = Y2 * η3;
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t7 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let t8 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t7.unwrap_to(turn_lower);
+        let φ6_minus_φ6_0 = t8.unwrap_to(turn_lower);
         // angle of `lower`
         let φ6 = p.φ6_0 + φ6_minus_φ6_0;
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t8 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        let t9 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
         // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t8.unwrap_to(turn_lower_arm);
+        let φ7_minus_φ7_0 = t9.unwrap_to(turn_lower_arm);
         // angle of `lower_arm`
         let φ7 = p.φ7_0 + φ7_minus_φ7_0;
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
@@ -1681,39 +1679,39 @@ pub mod andrews {
         let sin_β_minus_φ2 = sin_β * c2 - cos_β * s2;
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -(p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2));
-        let sin_φ4_minus_δ = s4 * c - c4 * s;
+        let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
-        let t9 = per_sin_φ4_minus_δ
+        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
+        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
+        let t10 = per_sin_φ4_minus_δ
             * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t9;
+        let ω4 = p.per_e * t10;
         let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
         let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t10 = per_sin_φ4_minus_δ
+        let t11 = per_sin_φ4_minus_δ
             * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -(p.per_zt * t10);
+        let ω_δ = -(p.per_zt * t11);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
         let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
         let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
         let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t11 = per_sin_φ6_minus_φ7
+        let t12 = per_sin_φ6_minus_φ7
             * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t11;
+        let ω6 = p.per_zf * t12;
         let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
         let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t12 = per_sin_φ6_minus_φ7
+        let t13 = per_sin_φ6_minus_φ7
             * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -(p.per_u * t12);
+        let ω7 = -(p.per_u * t13);
         // ── state ──
         let coupler_rate = ω2 * dβ;
         let lever_rate = ω3 * dβ;
         let upper_rate = ω4 * dβ;
-        let upper_arm_rate = ω * dβ;
+        let upper_arm_rate = ω_δ * dβ;
         let lower_rate = ω6 * dβ;
         let lower_arm_rate = ω7 * dβ;
         result[0] = β;
@@ -1758,7 +1756,7 @@ pub mod andrews {
         let Y1_κ1 = Y1 * κ1;
         let t1 = per_D1
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_s1 * t1;
+        let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
         let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
         let s2 = -per_d_Y1_κ1_plus_X1_η1;
@@ -1786,18 +1784,18 @@ pub mod andrews {
         let Y2_κ2 = Y2 * κ2;
         let t2 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t2;
+        let η2 = p.half_ε2 * t2;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
-        let c = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
-        let sin_φ4_minus_δ = s4 * c - c4 * s;
+        let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
+        let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
+        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
+        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
         let t3 = per_sin_φ4_minus_δ
             * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
         // rate of the angle of `upper` per unit rate of `crank`
@@ -1807,14 +1805,14 @@ pub mod andrews {
         let t4 = per_sin_φ4_minus_δ
             * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -(p.per_zt * t4);
+        let ω_δ = -(p.per_zt * t4);
         let t5 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
-            + p.C4 * (ω * ω);
+            + p.C4 * (ω_δ * ω_δ);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
         let t6 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t6;
+        let η3 = p.half_ε3 * t6;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1854,18 +1852,25 @@ pub mod andrews {
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
         let t11 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
-        let t12 = p.sc * t11;
-        let t13 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
-        let t14 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t15 = p.sd * t11;
-        let t16 = (t12 + t13) * (p.two_Δx_pull_0 + t12 + t13)
-            + (t14 + t15) * (p.two_Δy_pull_0 + t14 + t15);
-        let t17 = p.Δx_pull_0 + t12 + t13;
-        let t18 = p.Δy_pull_0 + t14 + t15;
-        let t19 = p.L_pull_0_minus_l0
-            + t16 * (p.L_pull_0 + (t17 * t17 + t18 * t18).sqrt()).recip();
+        // change of Δx_pull
+        let δx_pull = p.sc * t11
+            + p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        // from end to end of `pull`
+        let Δx_pull = p.Δx_pull_0 + δx_pull;
+        // change of Δy_pull
+        let δy_pull = p.sc
+            * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            + p.sd * t11;
+        // from end to end of `pull`
+        let Δy_pull = p.Δy_pull_0 + δy_pull;
+        let t12 = δx_pull * (p.Δx_pull_0 + Δx_pull)
+            + δy_pull * (p.Δy_pull_0 + Δy_pull);
+        // length of `pull`
+        let L_pull = (Δx_pull * Δx_pull + Δy_pull * Δy_pull).sqrt();
+        // extension of `pull`
+        let e_pull = p.L_pull_0_minus_l0 + t12 * (p.L_pull_0 + L_pull).recip();
         result[0] = A * 0.5 * (dβ * dβ);
-        result[1] = p.half_c0 * (t19 * t19);
+        result[1] = p.half_c0 * (e_pull * e_pull);
         result[2] = T::from_f64(0.0);
         result[3] = p.mom * dβ;
     }
@@ -1902,7 +1907,7 @@ pub mod andrews {
         let t1 = (D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared);
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
-        let η1 = p.half_s1 * (per_D1 * (-t1).sqrt());
+        let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
         // vector that is left to close crank–coupler–upper–upper_arm
         let X2 = p.xa - rr_cos_β - p.d * (p.per_d * (X1 * κ1 - Y1 * η1));
         let Y2 = p.ya - rr_sin_β - p.d * (p.per_d * (Y1 * κ1 + X1 * η1));
@@ -1947,7 +1952,7 @@ pub mod andrews {
         let Y1_κ1 = Y1 * κ1;
         let t1 = per_D1
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_s1 * t1;
+        let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
         let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
         let s2 = -per_d_Y1_κ1_plus_X1_η1;
@@ -1973,7 +1978,7 @@ pub mod andrews {
         let Y2_κ2 = Y2 * κ2;
         let t4 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t4;
+        let η2 = p.half_ε2 * t4;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
@@ -1982,30 +1987,30 @@ pub mod andrews {
         let t5 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `upper` from the assembled one
         let φ4_minus_φ4_0 = t5.unwrap_to(turn_upper);
-        let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
-        let c = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
+        let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
+        let t6 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
+            .atan2(p.c_δ_0 * c_δ + p.s_δ_0 * s_δ);
         // angle of `upper_arm` from the assembled one
-        let δ_minus_δ_0 = (p.c_0 * s - p.s_0 * c)
-            .atan2(p.c_0 * c + p.s_0 * s)
-            .unwrap_to(turn_upper_arm);
+        let δ_minus_δ_0 = t6.unwrap_to(turn_upper_arm);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t6 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t6;
+        let η3 = p.half_ε3 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
         let Y2_η3 = Y2 * η3;
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t7 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let t8 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t7.unwrap_to(turn_lower);
+        let φ6_minus_φ6_0 = t8.unwrap_to(turn_lower);
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t8 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        let t9 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
         // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t8.unwrap_to(turn_lower_arm);
+        let φ7_minus_φ7_0 = t9.unwrap_to(turn_lower_arm);
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
         result[2] = φ4_minus_φ4_0;
@@ -3061,13 +3066,14 @@ Loop crank–coupler–lever
   Y1 = yb - rr sin(β)
   D1 = X1² + Y1²
   κ1 = (D1 + d² - ss²) / (2 D1)
-  η1 = s1 sqrt((D1 - (d - ss)²) ((d + ss)² - D1)) / (2 D1)
+  η1 = ε1 sqrt((D1 - (d - ss)²) ((d + ss)² - D1)) / (2 D1)
   c2 = (Y1 η1 - X1 κ1) / d
   s2 = -(Y1 κ1 + X1 η1) / d
   c3 = -(X1 - X1 κ1 + Y1 η1) / ss
   s3 = (Y1 κ1 - Y1 + X1 η1) / ss
 
   φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
+  ω2 = dφ2/dβ, ω3 = dφ3/dβ, ' = d/dβ
 
   ω2  = rr sin(β - φ3) / (d sin(φ2 - φ3))
   ω3  = rr sin(φ2 - β) / (ss sin(φ2 - φ3))
@@ -3079,24 +3085,25 @@ Loop crank–coupler–upper–upper_arm
 
   rr e^(i β) - d e^(i φ2) - e e^(i φ4) - zt e^(i δ) - i ya - xa = 0
 
-  X2 = xa - rr cos(β) + d cos(φ2)
-  Y2 = ya - rr sin(β) + d sin(φ2)
-  D2 = X2² + Y2²
-  κ2 = (D2 + e² - zt²) / (2 D2)
-  η2 = s2_2 sqrt((D2 - (e - zt)²) ((e + zt)² - D2)) / (2 D2)
-  c4 = (Y2 η2 - X2 κ2) / e
-  s4 = -(Y2 κ2 + X2 η2) / e
-  c  = -(X2 - X2 κ2 + Y2 η2) / zt
-  s  = (Y2 κ2 - Y2 + X2 η2) / zt
+  X2  = xa - rr cos(β) + d cos(φ2)
+  Y2  = ya - rr sin(β) + d sin(φ2)
+  D2  = X2² + Y2²
+  κ2  = (D2 + e² - zt²) / (2 D2)
+  η2  = ε2 sqrt((D2 - (e - zt)²) ((e + zt)² - D2)) / (2 D2)
+  c4  = (Y2 η2 - X2 κ2) / e
+  s4  = -(Y2 κ2 + X2 η2) / e
+  c_δ = -(X2 - X2 κ2 + Y2 η2) / zt
+  s_δ = (Y2 κ2 - Y2 + X2 η2) / zt
 
-  φ4 = atan2(s4, c4), δ = atan2(s, c), continuous over many turns; ⁰: as assembled
+  φ4 = atan2(s4, c4), δ = atan2(s_δ, c_δ), continuous over many turns; ⁰: as assembled
+  ω4 = dφ4/dβ, ω_δ = dδ/dβ, ' = d/dβ
 
-  ω4  = (rr sin(β - δ) + d ω2 sin(δ - φ2)) / (e sin(φ4 - δ))
-  ω   = (rr sin(β - φ4) + d ω2 sin(φ4 - φ2)) / (zt sin(δ - φ4))
-  ω4' = (rr (ω - 1) cos(β - δ) + d ω2' sin(φ2 - δ) + d ω2 (ω2 - ω) cos(φ2 - δ)
-          + e ω4 (ω4 - ω) cos(φ4 - δ)) / (e sin(δ - φ4))
-  ω'  = (rr (ω4 - 1) cos(β - φ4) + d ω2' sin(φ2 - φ4) + d ω2 (ω2 - ω4) cos(φ2 - φ4)
-          + zt ω (ω - ω4) cos(φ4 - δ)) / (zt sin(φ4 - δ))
+  ω4   = (rr sin(β - δ) + d ω2 sin(δ - φ2)) / (e sin(φ4 - δ))
+  ω_δ  = (rr sin(β - φ4) + d ω2 sin(φ4 - φ2)) / (zt sin(δ - φ4))
+  ω4'  = (rr (ω_δ - 1) cos(β - δ) + d ω2' sin(φ2 - δ) + d ω2 (ω2 - ω_δ) cos(φ2 - δ)
+           + e ω4 (ω4 - ω_δ) cos(φ4 - δ)) / (e sin(δ - φ4))
+  ω_δ' = (rr (ω4 - 1) cos(β - φ4) + d ω2' sin(φ2 - φ4) + d ω2 (ω2 - ω4) cos(φ2 - φ4)
+           + zt ω_δ (ω_δ - ω4) cos(φ4 - δ)) / (zt sin(φ4 - δ))
 
 Loop crank–coupler–lower–lower_arm
 ──────────────────────────────────
@@ -3107,13 +3114,14 @@ Loop crank–coupler–lower–lower_arm
   Y3 = ya - rr sin(β) + d sin(φ2)
   D3 = X3² + Y3²
   κ3 = (D3 + zf² - u²) / (2 D3)
-  η3 = s3_2 sqrt((D3 - (zf - u)²) ((zf + u)² - D3)) / (2 D3)
+  η3 = ε3 sqrt((D3 - (zf - u)²) ((zf + u)² - D3)) / (2 D3)
   c6 = (Y3 η3 - X3 κ3) / zf
   s6 = -(Y3 κ3 + X3 η3) / zf
   c7 = -(X3 - X3 κ3 + Y3 η3) / u
   s7 = (Y3 κ3 - Y3 + X3 η3) / u
 
   φ6 = atan2(s6, c6), φ7 = atan2(s7, c7), continuous over many turns; ⁰: as assembled
+  ω6 = dφ6/dβ, ω7 = dφ7/dβ, ' = d/dβ
 
   ω6  = (rr sin(β - φ7) + d ω2 sin(φ7 - φ2)) / (zf sin(φ6 - φ7))
   ω7  = (rr sin(β - φ6) + d ω2 sin(φ6 - φ2)) / (u sin(φ7 - φ6))
@@ -3136,6 +3144,22 @@ Constants of the inertia
   C8 = -2 ss m4 ea
   C9 = -2 ss m6 fa
 
+Named forces
+────────────
+
+  δx_pull    = sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3))
+  Δx_pull    = δx_pull + Δx_pull⁰
+  δy_pull    = sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰))
+  Δy_pull    = δy_pull + Δy_pull⁰
+  L_pull     = sqrt(Δx_pull² + Δy_pull²)
+  e_pull     = L_pull⁰
+             - l0
+             + (δx_pull (Δx_pull + Δx_pull⁰) + δy_pull (Δy_pull + Δy_pull⁰))
+                 / (L_pull + L_pull⁰)
+               extension: the length less the free one, without cancellation
+  ∂L_pull/∂β = (Δy_pull (sc ω3 cos(φ3) - sd ω3 sin(φ3))
+                 - Δx_pull (sc ω3 sin(φ3) + sd ω3 cos(φ3))) / L_pull
+
 Equation of motion of `crank`
 ─────────────────────────────
 
@@ -3143,7 +3167,7 @@ Equation of motion of `crank`
           + C1 ω2²
           + C2 ω3²
           + C3 ω4²
-          + C4 ω²
+          + C4 ω_δ²
           + C5 ω6²
           + C6 ω7²
           + C7 ω2 cos(β - φ2)
@@ -3152,7 +3176,7 @@ Equation of motion of `crank`
   ∂A/∂β   = 2 C1 ω2 ω2'
           + 2 C2 ω3 ω3'
           + 2 C3 ω4 ω4'
-          + 2 C4 ω ω'
+          + 2 C4 ω_δ ω_δ'
           + 2 C5 ω6 ω6'
           + 2 C6 ω7 ω7'
           + C7 ω2' cos(β - φ2)
@@ -3163,36 +3187,7 @@ Equation of motion of `crank`
           + C9 ω3' ω6 cos(φ3 - φ6)
           + C9 ω3 ω6' cos(φ3 - φ6)
           + C9 ω3 ω6 (ω3 - ω6) sin(φ6 - φ3)
-  ∂P_s/∂β = c0 (L_pull⁰ - l0
-              + ((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3))) (sc (cos(φ3) - cos(φ3⁰))
-              + sd (sin(φ3⁰) - sin(φ3)) + 2 Δx_pull⁰)
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰))) (sc (sin(φ3) - sin(φ3⁰))
-              + sd (cos(φ3) - cos(φ3⁰)) + 2 Δy_pull⁰))
-              / (L_pull⁰
-              + sqrt((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3)) + Δx_pull⁰)²
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰))
-              + Δy_pull⁰)²))) (-((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3))
-              + 2 Δx_pull⁰) (sc ω3 sin(φ3) + sd ω3 cos(φ3))
-              + (sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3))) (sc ω3 sin(φ3)
-              + sd ω3 cos(φ3))
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰)) + 2 Δy_pull⁰) (sd ω3 sin(φ3)
-              - sc ω3 cos(φ3))
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰))) (sd ω3 sin(φ3)
-              - sc ω3 cos(φ3)))
-              / (L_pull⁰
-              + sqrt((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3)) + Δx_pull⁰)²
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰)) + Δy_pull⁰)²))
-              - ((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3))) (sc (cos(φ3) - cos(φ3⁰))
-              + sd (sin(φ3⁰) - sin(φ3)) + 2 Δx_pull⁰)
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰))) (sc (sin(φ3) - sin(φ3⁰))
-              + sd (cos(φ3) - cos(φ3⁰)) + 2 Δy_pull⁰)) (-2 (sc (cos(φ3) - cos(φ3⁰))
-              + sd (sin(φ3⁰) - sin(φ3)) + Δx_pull⁰) (sc ω3 sin(φ3) + sd ω3 cos(φ3))
-              - 2 (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰)) + Δy_pull⁰) (sd ω3 sin(φ3)
-              - sc ω3 cos(φ3)))
-              / (2 sqrt((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3)) + Δx_pull⁰)²
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰)) + Δy_pull⁰)²) (L_pull⁰
-              + sqrt((sc (cos(φ3) - cos(φ3⁰)) + sd (sin(φ3⁰) - sin(φ3)) + Δx_pull⁰)²
-              + (sc (sin(φ3) - sin(φ3⁰)) + sd (cos(φ3) - cos(φ3⁰)) + Δy_pull⁰)²))²))
+  ∂P_s/∂β = c0 e_pull ∂L_pull/∂β
 
   A(β) β̈ + ½ ∂A/∂β β̇² + ∂P_s/∂β = mom
 
@@ -3200,33 +3195,17 @@ Constants
 ─────────
 
   β⁰       = beta0                             angle of `crank` as assembled
-  φ2⁰      = unwrap(atan2(s2⁰, c2⁰); -0.06)    angle of `coupler` as assembled
-  φ3⁰      = unwrap(atan2(s3⁰, c3⁰); -1.12)    angle of `lever` as assembled
-  s1       = if (d X1⁰ sin(0.06) + d Y1⁰ cos(0.06)) / d² > (ss X1⁰ sin(1.12) + ss Y1⁰ cos(1.12))
-               / ss² then 1 else -1
+  ε1       = sign((Y1⁰ cos(0.06) + X1⁰ sin(0.06)) / d - (Y1⁰ cos(1.12) + X1⁰ sin(1.12)) / ss)
              which way the loop closes: as drawn
-  X1⁰      = xb - rr cos(β⁰)
-  Y1⁰      = yb - rr sin(β⁰)
-  D1⁰      = (X1⁰)² + (Y1⁰)²
-  κ1⁰      = (d² - ss² + D1⁰) / (2 D1⁰)
-  η1⁰      = s1 sqrt(((d - ss)² - D1⁰) (D1⁰ - (d + ss)²)) / (2 D1⁰)
-  c2⁰      = (Y1⁰ η1⁰ - X1⁰ κ1⁰) / d
-  s2⁰      = -(Y1⁰ κ1⁰ + X1⁰ η1⁰) / d
-  c3⁰      = -(X1⁰ - X1⁰ κ1⁰ + Y1⁰ η1⁰) / ss
-  s3⁰      = (Y1⁰ κ1⁰ - Y1⁰ + X1⁰ η1⁰) / ss
-  s2_2     = if (e X2⁰ sin(0.86) + e Y2⁰ cos(0.86)) / e² + (zt X2⁰ sin(0.49) - zt Y2⁰ cos(0.49))
-               / zt² > 0 then 1 else -1
+  ε2       = sign((Y2⁰ cos(0.86) + X2⁰ sin(0.86)) / e + (X2⁰ sin(0.49) - Y2⁰ cos(0.49)) / zt)
              which way the loop closes: as drawn
-  X2⁰      = xa - rr cos(β⁰) + d cos(φ2⁰)
-  Y2⁰      = ya - rr sin(β⁰) + d sin(φ2⁰)
-  s3_2     = if (zf Y3⁰ cos(1.01) - zf X3⁰ sin(1.01)) / zf²
-               > (u X3⁰ sin(0.34) + u Y3⁰ cos(0.34)) / u² then 1 else -1
+  ε3       = sign((Y3⁰ cos(1.01) - X3⁰ sin(1.01)) / zf - (Y3⁰ cos(0.34) + X3⁰ sin(0.34)) / u)
              which way the loop closes: as drawn
-  X3⁰      = xa - rr cos(β⁰) + d cos(φ2⁰)
-  Y3⁰      = ya - rr sin(β⁰) + d sin(φ2⁰)
   Δx_pull⁰ = xb - xc + sc cos(φ3⁰) - sd sin(φ3⁰)
   Δy_pull⁰ = yb - yc + sc sin(φ3⁰) + sd cos(φ3⁰)
   L_pull⁰  = sqrt((Δx_pull⁰)² + (Δy_pull⁰)²)   length of `pull` as assembled
+
+  φ3⁰, X1⁰, Y1⁰, X2⁰, Y2⁰, X3⁰, Y3⁰: by the formulas of the loops, at β = β⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -3251,12 +3230,13 @@ X_{1} &= \mathit{xb} - \mathit{rr} \cos \beta \\
 Y_{1} &= \mathit{yb} - \mathit{rr} \sin \beta \\
 D_{1} &= X_{1}^{2} + Y_{1}^{2} \\
 \kappa_{1} &= \frac{D_{1} + d^{2} - \mathit{ss}^{2}}{2 \, D_{1}} \\
-\eta_{1} &= \frac{s_{1}}{2 \, D_{1}} \, \sqrt{\left(D_{1} - \left(d - \mathit{ss}\right)^{2}\right) \left(\left(d + \mathit{ss}\right)^{2} - D_{1}\right)} \\
+\eta_{1} &= \frac{\varepsilon_{1}}{2 \, D_{1}} \, \sqrt{\left(D_{1} - \left(d - \mathit{ss}\right)^{2}\right) \left(\left(d + \mathit{ss}\right)^{2} - D_{1}\right)} \\
 \cos \varphi_{2} &= \frac{Y_{1} \, \eta_{1} - X_{1} \, \kappa_{1}}{d} \\
 \sin \varphi_{2} &= -\frac{Y_{1} \, \kappa_{1} + X_{1} \, \eta_{1}}{d} \\
 \cos \varphi_{3} &= -\frac{X_{1} - X_{1} \, \kappa_{1} + Y_{1} \, \eta_{1}}{\mathit{ss}} \\
 \sin \varphi_{3} &= \frac{Y_{1} \, \kappa_{1} - Y_{1} + X_{1} \, \eta_{1}}{\mathit{ss}} \\
 & \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{2} = \frac{\mathrm d\varphi_{2}}{\mathrm d\beta},\quad \omega_{3} = \frac{\mathrm d\varphi_{3}}{\mathrm d\beta},\quad {}' = \frac{\mathrm d}{\mathrm d\beta} \\
 \omega_{2} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{3}\right)}{d \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{\mathit{rr} \sin\left(\varphi_{2} - \beta\right)}{\mathit{ss} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{\mathit{rr} \left(\omega_{3} - 1\right) \cos\left(\beta - \varphi_{3}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{3}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{d \sin\left(\varphi_{3} - \varphi_{2}\right)} \\
@@ -3270,16 +3250,17 @@ X_{2} &= \mathit{xa} - \mathit{rr} \cos \beta + d \cos \varphi_{2} \\
 Y_{2} &= \mathit{ya} - \mathit{rr} \sin \beta + d \sin \varphi_{2} \\
 D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \kappa_{2} &= \frac{D_{2} + e^{2} - \mathit{zt}^{2}}{2 \, D_{2}} \\
-\eta_{2} &= \frac{s_{2,2}}{2 \, D_{2}} \, \sqrt{\left(D_{2} - \left(e - \mathit{zt}\right)^{2}\right) \left(\left(e + \mathit{zt}\right)^{2} - D_{2}\right)} \\
+\eta_{2} &= \frac{\varepsilon_{2}}{2 \, D_{2}} \, \sqrt{\left(D_{2} - \left(e - \mathit{zt}\right)^{2}\right) \left(\left(e + \mathit{zt}\right)^{2} - D_{2}\right)} \\
 \cos \varphi_{4} &= \frac{Y_{2} \, \eta_{2} - X_{2} \, \kappa_{2}}{e} \\
 \sin \varphi_{4} &= -\frac{Y_{2} \, \kappa_{2} + X_{2} \, \eta_{2}}{e} \\
 \cos \delta &= -\frac{X_{2} - X_{2} \, \kappa_{2} + Y_{2} \, \eta_{2}}{\mathit{zt}} \\
 \sin \delta &= \frac{Y_{2} \, \kappa_{2} - Y_{2} + X_{2} \, \eta_{2}}{\mathit{zt}} \\
 & \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}),\quad \delta = \operatorname{atan2}(\sin \delta, \cos \delta) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{4} = \frac{\mathrm d\varphi_{4}}{\mathrm d\beta},\quad \omega_{\delta} = \frac{\mathrm d\delta}{\mathrm d\beta},\quad {}' = \frac{\mathrm d}{\mathrm d\beta} \\
 \omega_{4} &= \frac{\mathit{rr} \sin\left(\beta - \delta\right) + d \, \omega_{2} \sin\left(\delta - \varphi_{2}\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
-\omega &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{4}\right) + d \, \omega_{2} \sin\left(\varphi_{4} - \varphi_{2}\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)} \\
-\omega'_{4} &= \frac{\mathit{rr} \left(\omega - 1\right) \cos\left(\beta - \delta\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \delta\right) + d \, \omega_{2} \left(\omega_{2} - \omega\right) \cos\left(\varphi_{2} - \delta\right) + e \, \omega_{4} \left(\omega_{4} - \omega\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\delta - \varphi_{4}\right)} \\
-\omega' &= \frac{\mathit{rr} \left(\omega_{4} - 1\right) \cos\left(\beta - \varphi_{4}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{4}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{4}\right) \cos\left(\varphi_{2} - \varphi_{4}\right) + \mathit{zt} \, \omega \left(\omega - \omega_{4}\right) \cos\left(\varphi_{4} - \delta\right)}{\mathit{zt} \sin\left(\varphi_{4} - \delta\right)}
+\omega_{\delta} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{4}\right) + d \, \omega_{2} \sin\left(\varphi_{4} - \varphi_{2}\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)} \\
+\omega'_{4} &= \frac{\mathit{rr} \left(\omega_{\delta} - 1\right) \cos\left(\beta - \delta\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \delta\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{\delta}\right) \cos\left(\varphi_{2} - \delta\right) + e \, \omega_{4} \left(\omega_{4} - \omega_{\delta}\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\delta - \varphi_{4}\right)} \\
+\omega'_{\delta} &= \frac{\mathit{rr} \left(\omega_{4} - 1\right) \cos\left(\beta - \varphi_{4}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{4}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{4}\right) \cos\left(\varphi_{2} - \varphi_{4}\right) + \mathit{zt} \, \omega_{\delta} \left(\omega_{\delta} - \omega_{4}\right) \cos\left(\varphi_{4} - \delta\right)}{\mathit{zt} \sin\left(\varphi_{4} - \delta\right)}
 \end{align*}
 
 \subsection*{Loop crank–coupler–lower–lower\_arm}
@@ -3289,12 +3270,13 @@ X_{3} &= \mathit{xa} - \mathit{rr} \cos \beta + d \cos \varphi_{2} \\
 Y_{3} &= \mathit{ya} - \mathit{rr} \sin \beta + d \sin \varphi_{2} \\
 D_{3} &= X_{3}^{2} + Y_{3}^{2} \\
 \kappa_{3} &= \frac{D_{3} + \mathit{zf}^{2} - u^{2}}{2 \, D_{3}} \\
-\eta_{3} &= \frac{s_{3,2}}{2 \, D_{3}} \, \sqrt{\left(D_{3} - \left(\mathit{zf} - u\right)^{2}\right) \left(\left(\mathit{zf} + u\right)^{2} - D_{3}\right)} \\
+\eta_{3} &= \frac{\varepsilon_{3}}{2 \, D_{3}} \, \sqrt{\left(D_{3} - \left(\mathit{zf} - u\right)^{2}\right) \left(\left(\mathit{zf} + u\right)^{2} - D_{3}\right)} \\
 \cos \varphi_{6} &= \frac{Y_{3} \, \eta_{3} - X_{3} \, \kappa_{3}}{\mathit{zf}} \\
 \sin \varphi_{6} &= -\frac{Y_{3} \, \kappa_{3} + X_{3} \, \eta_{3}}{\mathit{zf}} \\
 \cos \varphi_{7} &= -\frac{X_{3} - X_{3} \, \kappa_{3} + Y_{3} \, \eta_{3}}{u} \\
 \sin \varphi_{7} &= \frac{Y_{3} \, \kappa_{3} - Y_{3} + X_{3} \, \eta_{3}}{u} \\
 & \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}),\quad \varphi_{7} = \operatorname{atan2}(\sin \varphi_{7}, \cos \varphi_{7}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{6} = \frac{\mathrm d\varphi_{6}}{\mathrm d\beta},\quad \omega_{7} = \frac{\mathrm d\varphi_{7}}{\mathrm d\beta},\quad {}' = \frac{\mathrm d}{\mathrm d\beta} \\
 \omega_{6} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{7}\right) + d \, \omega_{2} \sin\left(\varphi_{7} - \varphi_{2}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
 \omega_{7} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{6}\right) + d \, \omega_{2} \sin\left(\varphi_{6} - \varphi_{2}\right)}{u \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
 \omega'_{6} &= \frac{\mathit{rr} \left(\omega_{7} - 1\right) \cos\left(\beta - \varphi_{7}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{7}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{7}\right) \cos\left(\varphi_{2} - \varphi_{7}\right) + \mathit{zf} \, \omega_{6} \left(\omega_{6} - \omega_{7}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
@@ -3315,13 +3297,26 @@ C_{8} &= -2 \, \mathit{ss} \, m_{4} \, \mathit{ea} \\
 C_{9} &= -2 \, \mathit{ss} \, m_{6} \, \mathit{fa}
 \end{align*}
 
+\subsection*{Named forces}
+\begin{align*}
+\delta x_{\mathrm{pull}} &= \mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) \\
+\Delta x_{\mathrm{pull}} &= \delta x_{\mathrm{pull}} + \Delta x_{\mathrm{pull}}^{0} \\
+\delta y_{\mathrm{pull}} &= \mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) \\
+\Delta y_{\mathrm{pull}} &= \delta y_{\mathrm{pull}} + \Delta y_{\mathrm{pull}}^{0} \\
+L_{\mathrm{pull}} &= \sqrt{\Delta x_{\mathrm{pull}}^{2} + \Delta y_{\mathrm{pull}}^{2}} \\
+e_{\mathrm{pull}} &= L_{\mathrm{pull}}^{0} && \text{extension: the length less the free one, without cancellation} \\
+&\quad {}- l_{0} \\
+&\quad {}+ \frac{\delta x_{\mathrm{pull}} \left(\Delta x_{\mathrm{pull}} + \Delta x_{\mathrm{pull}}^{0}\right) + \delta y_{\mathrm{pull}} \left(\Delta y_{\mathrm{pull}} + \Delta y_{\mathrm{pull}}^{0}\right)}{L_{\mathrm{pull}} + L_{\mathrm{pull}}^{0}} \\
+\frac{\partial L_{\mathrm{pull}}}{\partial \beta} &= \frac{\Delta y_{\mathrm{pull}} \left(\mathit{sc} \, \omega_{3} \cos \varphi_{3} - \mathit{sd} \, \omega_{3} \sin \varphi_{3}\right) - \Delta x_{\mathrm{pull}} \left(\mathit{sc} \, \omega_{3} \sin \varphi_{3} + \mathit{sd} \, \omega_{3} \cos \varphi_{3}\right)}{L_{\mathrm{pull}}}
+\end{align*}
+
 \subsection*{Equation of motion of \texttt{crank}}
 \begin{align*}
 A(\beta) &= C_{0} \\
 &\quad {}+ C_{1} \, \omega_{2}^{2} \\
 &\quad {}+ C_{2} \, \omega_{3}^{2} \\
 &\quad {}+ C_{3} \, \omega_{4}^{2} \\
-&\quad {}+ C_{4} \, \omega^{2} \\
+&\quad {}+ C_{4} \, \omega_{\delta}^{2} \\
 &\quad {}+ C_{5} \, \omega_{6}^{2} \\
 &\quad {}+ C_{6} \, \omega_{7}^{2} \\
 &\quad {}+ C_{7} \, \omega_{2} \cos\left(\beta - \varphi_{2}\right) \\
@@ -3330,7 +3325,7 @@ A(\beta) &= C_{0} \\
 \frac{\partial A}{\partial \beta} &= 2 \, C_{1} \, \omega_{2} \, \omega'_{2} \\
 &\quad {}+ 2 \, C_{2} \, \omega_{3} \, \omega'_{3} \\
 &\quad {}+ 2 \, C_{3} \, \omega_{4} \, \omega'_{4} \\
-&\quad {}+ 2 \, C_{4} \, \omega \, \omega' \\
+&\quad {}+ 2 \, C_{4} \, \omega_{\delta} \, \omega'_{\delta} \\
 &\quad {}+ 2 \, C_{5} \, \omega_{6} \, \omega'_{6} \\
 &\quad {}+ 2 \, C_{6} \, \omega_{7} \, \omega'_{7} \\
 &\quad {}+ C_{7} \, \omega'_{2} \cos\left(\beta - \varphi_{2}\right) \\
@@ -3341,34 +3336,20 @@ A(\beta) &= C_{0} \\
 &\quad {}+ C_{9} \, \omega'_{3} \, \omega_{6} \cos\left(\varphi_{3} - \varphi_{6}\right) \\
 &\quad {}+ C_{9} \, \omega_{3} \, \omega'_{6} \cos\left(\varphi_{3} - \varphi_{6}\right) \\
 &\quad {}+ C_{9} \, \omega_{3} \, \omega_{6} \left(\omega_{3} - \omega_{6}\right) \sin\left(\varphi_{6} - \varphi_{3}\right) \\
-\frac{\partial P_s}{\partial \beta} &= c_{0} \left(L_{\mathrm{pull}}^{0} - l_{0} + \frac{\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right)\right) \left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{pull}}^{0}\right) + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + 2 \, \Delta y_{\mathrm{pull}}^{0}\right)}{L_{\mathrm{pull}}^{0} + \sqrt{\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \Delta y_{\mathrm{pull}}^{0}\right)^{2}}}\right) \left(-\frac{\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{pull}}^{0}\right) \left(\mathit{sc} \, \omega_{3} \sin \varphi_{3} + \mathit{sd} \, \omega_{3} \cos \varphi_{3}\right) + \left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right)\right) \left(\mathit{sc} \, \omega_{3} \sin \varphi_{3} + \mathit{sd} \, \omega_{3} \cos \varphi_{3}\right) + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + 2 \, \Delta y_{\mathrm{pull}}^{0}\right) \left(\mathit{sd} \, \omega_{3} \sin \varphi_{3} - \mathit{sc} \, \omega_{3} \cos \varphi_{3}\right) + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) \left(\mathit{sd} \, \omega_{3} \sin \varphi_{3} - \mathit{sc} \, \omega_{3} \cos \varphi_{3}\right)}{L_{\mathrm{pull}}^{0} + \sqrt{\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \Delta y_{\mathrm{pull}}^{0}\right)^{2}}} - \frac{\left(\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right)\right) \left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{pull}}^{0}\right) + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + 2 \, \Delta y_{\mathrm{pull}}^{0}\right)\right) \left(-2 \left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta x_{\mathrm{pull}}^{0}\right) \left(\mathit{sc} \, \omega_{3} \sin \varphi_{3} + \mathit{sd} \, \omega_{3} \cos \varphi_{3}\right) - 2 \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \Delta y_{\mathrm{pull}}^{0}\right) \left(\mathit{sd} \, \omega_{3} \sin \varphi_{3} - \mathit{sc} \, \omega_{3} \cos \varphi_{3}\right)\right)}{2 \, \sqrt{\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \Delta y_{\mathrm{pull}}^{0}\right)^{2}} \left(L_{\mathrm{pull}}^{0} + \sqrt{\left(\mathit{sc} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \mathit{sd} \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\mathit{sc} \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right) + \mathit{sd} \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right) + \Delta y_{\mathrm{pull}}^{0}\right)^{2}}\right)^{2}}\right) \\
+\frac{\partial P_s}{\partial \beta} &= c_{0} \, e_{\mathrm{pull}} \, \frac{\partial L_{\mathrm{pull}}}{\partial \beta} \\
 & A(\beta)\,\ddot{\beta} + \tfrac12 \frac{\partial A}{\partial \beta}\,\dot{\beta}^2 + \frac{\partial P_s}{\partial \beta} = \mathit{mom}
 \end{align*}
 
 \subsection*{Constants}
 \begin{align*}
 \beta^0 &= \beta_{0} && \text{angle of \texttt{crank} as assembled} \\
-\varphi_{2}^0 &= \operatorname{unwrap}\left(\operatorname{atan2}\left(\sin \varphi_{2}^0, \cos \varphi_{2}^0\right); -0.06\right) && \text{angle of \texttt{coupler} as assembled} \\
-\varphi_{3}^0 &= \operatorname{unwrap}\left(\operatorname{atan2}\left(\sin \varphi_{3}^0, \cos \varphi_{3}^0\right); -1.12\right) && \text{angle of \texttt{lever} as assembled} \\
-s_{1} &= \begin{cases} 1 & \text{if } \frac{d \, {X_{1}}^0 \sin 0.06 + d \, {Y_{1}}^0 \cos 0.06}{d^{2}} > \frac{\mathit{ss} \, {X_{1}}^0 \sin 1.12 + \mathit{ss} \, {Y_{1}}^0 \cos 1.12}{\mathit{ss}^{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{1}}^0 &= \mathit{xb} - \mathit{rr} \cos \beta^0 \\
-{Y_{1}}^0 &= \mathit{yb} - \mathit{rr} \sin \beta^0 \\
-{D_{1}}^0 &= \left({X_{1}}^0\right)^{2} + \left({Y_{1}}^0\right)^{2} \\
-{\kappa_{1}}^0 &= \frac{d^{2} - \mathit{ss}^{2} + {D_{1}}^0}{2 \, {D_{1}}^0} \\
-{\eta_{1}}^0 &= \frac{s_{1}}{2 \, {D_{1}}^0} \, \sqrt{\left(\left(d - \mathit{ss}\right)^{2} - {D_{1}}^0\right) \left({D_{1}}^0 - \left(d + \mathit{ss}\right)^{2}\right)} \\
-\cos \varphi_{2}^0 &= \frac{{Y_{1}}^0 \, {\eta_{1}}^0 - {X_{1}}^0 \, {\kappa_{1}}^0}{d} \\
-\sin \varphi_{2}^0 &= -\frac{{Y_{1}}^0 \, {\kappa_{1}}^0 + {X_{1}}^0 \, {\eta_{1}}^0}{d} \\
-\cos \varphi_{3}^0 &= -\frac{{X_{1}}^0 - {X_{1}}^0 \, {\kappa_{1}}^0 + {Y_{1}}^0 \, {\eta_{1}}^0}{\mathit{ss}} \\
-\sin \varphi_{3}^0 &= \frac{{Y_{1}}^0 \, {\kappa_{1}}^0 - {Y_{1}}^0 + {X_{1}}^0 \, {\eta_{1}}^0}{\mathit{ss}} \\
-s_{2,2} &= \begin{cases} 1 & \text{if } \frac{e \, {X_{2}}^0 \sin 0.86 + e \, {Y_{2}}^0 \cos 0.86}{e^{2}} + \frac{\mathit{zt} \, {X_{2}}^0 \sin 0.49 - \mathit{zt} \, {Y_{2}}^0 \cos 0.49}{\mathit{zt}^{2}} > 0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{2}}^0 &= \mathit{xa} - \mathit{rr} \cos \beta^0 + d \cos \varphi_{2}^0 \\
-{Y_{2}}^0 &= \mathit{ya} - \mathit{rr} \sin \beta^0 + d \sin \varphi_{2}^0 \\
-s_{3,2} &= \begin{cases} 1 & \text{if } \frac{\mathit{zf} \, {Y_{3}}^0 \cos 1.01 - \mathit{zf} \, {X_{3}}^0 \sin 1.01}{\mathit{zf}^{2}} > \frac{u \, {X_{3}}^0 \sin 0.34 + u \, {Y_{3}}^0 \cos 0.34}{u^{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{3}}^0 &= \mathit{xa} - \mathit{rr} \cos \beta^0 + d \cos \varphi_{2}^0 \\
-{Y_{3}}^0 &= \mathit{ya} - \mathit{rr} \sin \beta^0 + d \sin \varphi_{2}^0 \\
+\varepsilon_{1} &= \operatorname{sgn}\left(\frac{{Y_{1}}^0 \cos 0.06 + {X_{1}}^0 \sin 0.06}{d} - \frac{{Y_{1}}^0 \cos 1.12 + {X_{1}}^0 \sin 1.12}{\mathit{ss}}\right) && \text{which way the loop closes: as drawn} \\
+\varepsilon_{2} &= \operatorname{sgn}\left(\frac{{Y_{2}}^0 \cos 0.86 + {X_{2}}^0 \sin 0.86}{e} + \frac{{X_{2}}^0 \sin 0.49 - {Y_{2}}^0 \cos 0.49}{\mathit{zt}}\right) && \text{which way the loop closes: as drawn} \\
+\varepsilon_{3} &= \operatorname{sgn}\left(\frac{{Y_{3}}^0 \cos 1.01 - {X_{3}}^0 \sin 1.01}{\mathit{zf}} - \frac{{Y_{3}}^0 \cos 0.34 + {X_{3}}^0 \sin 0.34}{u}\right) && \text{which way the loop closes: as drawn} \\
 \Delta x_{\mathrm{pull}}^{0} &= \mathit{xb} - \mathit{xc} + \mathit{sc} \cos \varphi_{3}^0 - \mathit{sd} \sin \varphi_{3}^0 \\
 \Delta y_{\mathrm{pull}}^{0} &= \mathit{yb} - \mathit{yc} + \mathit{sc} \sin \varphi_{3}^0 + \mathit{sd} \cos \varphi_{3}^0 \\
-L_{\mathrm{pull}}^{0} &= \sqrt{\left(\Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\Delta y_{\mathrm{pull}}^{0}\right)^{2}} && \text{length of \texttt{pull} as assembled}
+L_{\mathrm{pull}}^{0} &= \sqrt{\left(\Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\Delta y_{\mathrm{pull}}^{0}\right)^{2}} && \text{length of \texttt{pull} as assembled} \\
+& \varphi_{3}^0,\, {X_{1}}^0,\, {Y_{1}}^0,\, {X_{2}}^0,\, {Y_{2}}^0,\, {X_{3}}^0,\, {Y_{3}}^0: \text{ by the formulas of the loops, at } \beta = \beta^0
 \end{align*}
 
 \end{document}

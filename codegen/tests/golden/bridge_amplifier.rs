@@ -134,14 +134,14 @@ pub mod bridge_amplifier {
             let C0 = t3 + ma_r1_squared + l_squared_mb + ma_r1_minus_l_squared;
             // constant of the inertia
             let C1 = t3 + l_squared_mb + ma_r1_squared + ma_r1_minus_l_squared;
-            let P1_0 = l * sin_φ1_0;
             let height = l * rise.sin();
             let t4 = rise + 3.141592653589793;
+            let l_sin_φ1_0 = l * sin_φ1_0;
             // which way the loop closes: as drawn
-            let s1 = (height * 2.0 - l * t4.sin() - P1_0).if_positive(1.0, -1.0);
+            let ε1 = (height * 2.0 - l * t4.sin() - l_sin_φ1_0).if_positive(1.0, -1.0);
             // position of `table` as assembled
-            let x_table_0 = P1_0 + s1 * t1.sqrt();
-            let s3_0 = -((x_table_0 - P1_0) / l);
+            let x_table_0 = ε1 * t1.sqrt() + l_sin_φ1_0;
+            let s3_0 = -((x_table_0 - l_sin_φ1_0) / l);
             let c3_0 = -(X1_0 / l);
             // angle of `upper_left` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t4);
@@ -158,8 +158,10 @@ pub mod bridge_amplifier {
             // inertia as assembled
             let A_lower_left_0 = C0 + sin_φ1_0 * sin_φ1_0 * C1 / sin_φ3_0_squared + t5
                 + sin_φ1_0 * C2 * cos_φ1_0_minus_φ3_0 / sin_φ3_0;
-            let Δx_piezo_0 = -(l_cos_φ1_0 + l * cos_φ3_0);
-            let Δy_piezo_0 = -(P1_0 + l * sin_φ3_0);
+            let t6 = l_cos_φ1_0 + l * cos_φ3_0;
+            let t7 = l_sin_φ1_0 + l * sin_φ3_0;
+            let Δx_piezo_0 = -t6;
+            let Δy_piezo_0 = -t7;
             // length of `piezo` as assembled
             let L_piezo_0 = (Δx_piezo_0 * Δx_piezo_0 + Δy_piezo_0 * Δy_piezo_0)
                 .sqrt();
@@ -232,24 +234,22 @@ pub mod bridge_amplifier {
                 l_squared,
                 C0,
                 φ1_0,
-                s1,
+                ε1,
                 per_l: l.recip(),
                 C1,
                 C2,
                 c3_0,
                 s3_0,
+                two_k: k * 2.0,
                 φ3_0,
-                Δx_piezo_0,
-                Δy_piezo_0,
+                constant1: t6,
+                constant2: t7,
+                constant3: f * 6.283185307179586,
                 L_piezo_0,
-                two_Δx_piezo_0: Δx_piezo_0 * 2.0,
-                two_Δy_piezo_0: Δy_piezo_0 * 2.0,
-                constant1: f * 6.283185307179586,
-                constant2: stroke * f * 6.283185307179586,
+                constant4: stroke * f * 6.283185307179586,
                 two_c: c * 2.0,
                 two_C1: C1 * 2.0,
                 two_mo: mo * 2.0,
-                two_k: k * 2.0,
                 _4_c: c * 4.0,
                 two_l: l * 2.0,
                 two_C2: C2 * 2.0,
@@ -287,8 +287,8 @@ pub mod bridge_amplifier {
         pub C0: T,
         /// `φ1⁰` angle of \`lower_left\` as assembled
         pub φ1_0: T,
-        /// `s1` which way the loop closes: as drawn
-        pub s1: T,
+        /// `ε1` which way the loop closes: as drawn
+        pub ε1: T,
         /// `1.0 / l`
         pub per_l: T,
         /// `C1` constant of the inertia
@@ -299,30 +299,26 @@ pub mod bridge_amplifier {
         pub c3_0: T,
         /// `s3⁰`
         pub s3_0: T,
+        /// `2.0 * k`
+        pub two_k: T,
         /// `φ3⁰` angle of \`upper_left\` as assembled
         pub φ3_0: T,
-        /// `Δx_piezo⁰`
-        pub Δx_piezo_0: T,
-        /// `Δy_piezo⁰`
-        pub Δy_piezo_0: T,
+        /// `l * cos(φ1⁰) + l * cos(φ3⁰)`
+        pub constant1: T,
+        /// `l * sin(φ1⁰) + l * sin(φ3⁰)`
+        pub constant2: T,
+        /// `6.283185307179586 * f`
+        pub constant3: T,
         /// `L_piezo⁰` length of \`piezo\` as assembled
         pub L_piezo_0: T,
-        /// `2.0 * Δx_piezo⁰`
-        pub two_Δx_piezo_0: T,
-        /// `2.0 * Δy_piezo⁰`
-        pub two_Δy_piezo_0: T,
-        /// `6.283185307179586 * f`
-        pub constant1: T,
         /// `6.283185307179586 * stroke * f`
-        pub constant2: T,
+        pub constant4: T,
         /// `2.0 * c`
         pub two_c: T,
         /// `2.0 * C1`
         pub two_C1: T,
         /// `2.0 * mo`
         pub two_mo: T,
-        /// `2.0 * k`
-        pub two_k: T,
         /// `4.0 * c`
         pub _4_c: T,
         /// `2.0 * l`
@@ -351,24 +347,22 @@ pub mod bridge_amplifier {
                 l_squared: turn(self.l_squared),
                 C0: turn(self.C0),
                 φ1_0: turn(self.φ1_0),
-                s1: turn(self.s1),
+                ε1: turn(self.ε1),
                 per_l: turn(self.per_l),
                 C1: turn(self.C1),
                 C2: turn(self.C2),
                 c3_0: turn(self.c3_0),
                 s3_0: turn(self.s3_0),
+                two_k: turn(self.two_k),
                 φ3_0: turn(self.φ3_0),
-                Δx_piezo_0: turn(self.Δx_piezo_0),
-                Δy_piezo_0: turn(self.Δy_piezo_0),
-                L_piezo_0: turn(self.L_piezo_0),
-                two_Δx_piezo_0: turn(self.two_Δx_piezo_0),
-                two_Δy_piezo_0: turn(self.two_Δy_piezo_0),
                 constant1: turn(self.constant1),
                 constant2: turn(self.constant2),
+                constant3: turn(self.constant3),
+                L_piezo_0: turn(self.L_piezo_0),
+                constant4: turn(self.constant4),
                 two_c: turn(self.two_c),
                 two_C1: turn(self.two_C1),
                 two_mo: turn(self.two_mo),
-                two_k: turn(self.two_k),
                 _4_c: turn(self._4_c),
                 two_l: turn(self.two_l),
                 two_C2: turn(self.two_C2),
@@ -393,90 +387,88 @@ pub mod bridge_amplifier {
         let turn_upper_left = d[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // its part along the guide
-        let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
         // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
-        let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
-        let per_l_x_table_minus_P1 = p.per_l * (x_table - P1);
-        let t1 = per_l_x_table_minus_P1.recip();
+        let l_sin_φ1 = p.l * sin_φ1;
+        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
+        let t1 = p.per_l * (x_table - l_sin_φ1);
+        let t2 = t1.recip();
         // rate of the angle of `upper_left` per unit rate of `lower_left`
-        let ω3 = -(sin_φ1 * t1);
+        let ω3 = -(sin_φ1 * t2);
         let ω3_squared = ω3 * ω3;
         let per_l_X1 = p.per_l * X1;
         let c3 = -per_l_X1;
-        let s3 = -per_l_x_table_minus_P1;
+        let s3 = -t1;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         // rate of the position of `table` per unit rate of `lower_left`
-        let ν_table = p.l * (t1 * sin_φ1_minus_φ3);
+        let ν_table = p.l * (t2 * sin_φ1_minus_φ3);
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         // inertia
         let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
             + p.C2 * (ω3 * cos_φ1_minus_φ3);
-        let φ4_minus_φ4_0 = φ1 - p.φ1_0;
-        let k_φ4_minus_φ4_0 = p.k * φ4_minus_φ4_0;
-        let t2 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let φ1_minus_φ1_0 = φ1 - p.φ1_0;
+        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
-        let φ3_minus_φ3_0 = t2.unwrap_to(turn_upper_left);
-        let k_ω3_φ3_minus_φ3_0 = p.k * (ω3 * φ3_minus_φ3_0);
+        let φ3_minus_φ3_0 = t3.unwrap_to(turn_upper_left);
         let ω3_minus_one = ω3 - 1.0;
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
-        let t3 = k_φ4_minus_φ4_0 + k_ω3_φ3_minus_φ3_0
-            + p.k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
-        let t4 = t3 + p.k * (ω3_minus_one * (φ3_minus_φ3_0 - φ4_minus_φ4_0))
-            + k_ω3_φ3_minus_φ3_0;
-        // springs
-        let dP_s_dφ1 = t4 + k_φ4_minus_φ4_0;
-        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
-        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
-            .sin_cos();
-        let t5 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
+            + p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
         // angle of `upper_left`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
         let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
             .sin_cos();
-        let t6 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t7 = p.Δx_piezo_0 - t5 + t6;
-        let t8 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
-        let t9 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
-        let t10 = p.Δy_piezo_0 - t8 + t9;
-        let t11 = (t7 * t7 + t10 * t10).sqrt();
-        let t12 = p.L_piezo_0 + t11;
-        let t13 = p.two_Δx_piezo_0 - t5 + t6;
-        let t14 = t5 - t6;
-        let t15 = p.two_Δy_piezo_0 - t8 + t9;
-        let t16 = t8 - t9;
-        let t17 = t13 * t14 + t15 * t16;
-        let t18 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
-        let A_x_minus_l_ω3_per_l_X1 = A_x - p.l * (ω3 * per_l_X1);
-        let t19 = t11.recip() * (t12 * t12).recip() * t17
-            * (t7 * t18 * 2.0 - t10 * A_x_minus_l_ω3_per_l_X1 * 2.0);
-        let t20 = t12.recip();
-        let t21 = t14 * t18 - t13 * t18 + t15 * A_x_minus_l_ω3_per_l_X1
-            - t16 * A_x_minus_l_ω3_per_l_X1;
-        let t22 = t19 * 0.5 - t20 * t21;
-        let ω3_prime = -(p.per_l * (t1 * (A_x + p.l * (ω3_squared * per_l_X1))));
-        let t23 = t1
+        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
+        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
+            .sin_cos();
+        // change of Δx_piezo
+        let δx_piezo = p.l
+            * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            - p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δx_piezo = δx_piezo - p.constant1;
+        // change of Δy_piezo
+        let δy_piezo = p.l
+            * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0)
+            - p.l * (cos_half_φ1_plus_φ1_0 * (φ1_minus_φ1_0 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δy_piezo = δy_piezo - p.constant2;
+        // length of `piezo`
+        let L_piezo = (Δx_piezo * Δx_piezo + Δy_piezo * Δy_piezo).sqrt();
+        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
+        let t4 = Δx_piezo * dδx_piezo_dφ1
+            - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
+        // lever of `piezo`: change of its length
+        let dL_piezo_dφ1 = L_piezo.recip() * t4;
+        let t5 = δx_piezo * (Δx_piezo - p.constant1)
+            + δy_piezo * (Δy_piezo - p.constant2);
+        // extension of `piezo`
+        let e_piezo = t5 * (p.L_piezo_0 + L_piezo).recip();
+        let ω3_prime = -(p.per_l * (t2 * (A_x + p.l * (ω3_squared * per_l_X1))));
+        let t6 = t2
             * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
-        let ν_table_prime = -t23;
-        let t24 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
-        // its derivative
-        let dA_dφ1 = t24 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
+        let ν_table_prime = -t6;
+        let t7 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
+        // slope of the inertia
+        let dA_dφ1 = t7 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
             + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
         // ── state ──
-        let t25 = p.constant1 * t;
-        let (t26, t27) = t25.sin_cos();
+        let t8 = p.constant3 * t;
+        let (t9, t10) = t8.sin_cos();
         // drive `extension`
-        let extension = p.stroke * t26;
+        let extension = p.stroke * t9;
         // rate of the drive `extension`
-        let dextension = p.constant2 * t27;
+        let d_extension_dt = p.constant4 * t10;
         // force of `piezo` on its second end
-        let F_piezo = p.ks * (t20 * t17 + extension) + p.cs * (dextension - t22 * dφ1);
+        let F_piezo = p.ks * (extension - e_piezo)
+            + p.cs * (d_extension_dt - dL_piezo_dφ1 * dφ1);
+        let t11 = dL_piezo_dφ1 * F_piezo - p.two_c * dφ1
+            - p.two_c * ω3_squared * dφ1;
         // generalized torque of all other forces
-        let τ = t22 * F_piezo - p.two_c * dφ1 - p.two_c * ω3_squared * dφ1
-            - p.two_c * (ω3_minus_one * ω3_minus_one) * dφ1;
+        let τ = t11 - p.two_c * (ω3_minus_one * ω3_minus_one) * dφ1;
         let ddφ1 = -(A.recip() * (dP_s_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
         dx[0] = dφ1;
         dx[1] = ddφ1;
@@ -496,148 +488,151 @@ pub mod bridge_amplifier {
         let turn_upper_left = d[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // its part along the guide
-        let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
         // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
-        let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
-        let per_l_x_table_minus_P1 = p.per_l * (x_table - P1);
-        let t1 = per_l_x_table_minus_P1.recip();
+        let l_sin_φ1 = p.l * sin_φ1;
+        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
+        let t1 = p.per_l * (x_table - l_sin_φ1);
+        let t2 = t1.recip();
         // rate of the angle of `upper_left` per unit rate of `lower_left`
-        let ω3 = -(sin_φ1 * t1);
+        let ω3 = -(sin_φ1 * t2);
         let ω3_squared = ω3 * ω3;
         let per_l_X1 = p.per_l * X1;
         let c3 = -per_l_X1;
-        let s3 = -per_l_x_table_minus_P1;
+        let s3 = -t1;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         // rate of the position of `table` per unit rate of `lower_left`
-        let ν_table = p.l * (t1 * sin_φ1_minus_φ3);
+        let ν_table = p.l * (t2 * sin_φ1_minus_φ3);
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let ω3_cos_φ1_minus_φ3 = ω3 * cos_φ1_minus_φ3;
         // inertia
         let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
             + p.C2 * ω3_cos_φ1_minus_φ3;
         let l_ω3_squared_per_l_X1 = p.l * (ω3_squared * per_l_X1);
-        let t2 = A_x + l_ω3_squared_per_l_X1;
-        let ω3_prime = -(p.per_l * (t1 * t2));
+        let t3 = A_x + l_ω3_squared_per_l_X1;
+        let ω3_prime = -(p.per_l * (t2 * t3));
         let ω3_ω3_prime = ω3 * ω3_prime;
         let ω3_minus_one = ω3 - 1.0;
-        let t3 = p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1;
-        let ν_table_prime = -(t1 * t3);
+        let t4 = p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1;
+        let ν_table_prime = -(t2 * t4);
         let ω3_prime_cos_φ1_minus_φ3 = ω3_prime * cos_φ1_minus_φ3;
-        let t4 = p.two_C1 * ω3_ω3_prime + p.two_mo * (ν_table * ν_table_prime)
+        let t5 = p.two_C1 * ω3_ω3_prime + p.two_mo * (ν_table * ν_table_prime)
             + p.C2 * ω3_prime_cos_φ1_minus_φ3;
         let sin_φ1_minus_φ3_ω3 = sin_φ1_minus_φ3 * ω3;
-        // its derivative
-        let dA_dφ1 = t4 + p.C2 * (sin_φ1_minus_φ3_ω3 * ω3_minus_one);
-        let φ4_minus_φ4_0 = φ1 - p.φ1_0;
-        let k_φ4_minus_φ4_0 = p.k * φ4_minus_φ4_0;
-        let t5 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        // slope of the inertia
+        let dA_dφ1 = t5 + p.C2 * (sin_φ1_minus_φ3_ω3 * ω3_minus_one);
+        let φ1_minus_φ1_0 = φ1 - p.φ1_0;
+        let t6 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
-        let φ3_minus_φ3_0 = t5.unwrap_to(turn_upper_left);
-        let k_ω3_φ3_minus_φ3_0 = p.k * (ω3 * φ3_minus_φ3_0);
+        let φ3_minus_φ3_0 = t6.unwrap_to(turn_upper_left);
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
-        let t6 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
-        let t7 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
-        let t8 = k_φ4_minus_φ4_0 + k_ω3_φ3_minus_φ3_0 + p.k * (ω3_minus_one * t6)
-            + p.k * (ω3_minus_one * t7);
-        // springs
-        let dP_s_dφ1 = t8 + k_ω3_φ3_minus_φ3_0 + k_φ4_minus_φ4_0;
-        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
-        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
-            .sin_cos();
-        let t9 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        let t7 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
+            + p.two_k * (ω3_minus_one * t7);
         // angle of `upper_left`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
         let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
             .sin_cos();
-        let t10 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t11 = p.Δx_piezo_0 - t9 + t10;
-        let t12 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
-        let t13 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
-        let t14 = p.Δy_piezo_0 - t12 + t13;
-        let t15 = t11 * t11 + t14 * t14;
-        let t16 = t15.sqrt();
-        let t17 = p.L_piezo_0 + t16;
-        let t18 = t17 * t17;
-        let t19 = t18.recip();
-        let t20 = t16.recip() * t19;
-        let t21 = p.two_Δx_piezo_0 - t9 + t10;
-        let t22 = t9 - t10;
-        let t23 = p.two_Δy_piezo_0 - t12 + t13;
-        let t24 = t12 - t13;
-        let t25 = t21 * t22 + t23 * t24;
-        let t26 = t20 * t25;
-        let t27 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
+        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
+        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
+            .sin_cos();
+        // change of Δx_piezo
+        let δx_piezo = p.l
+            * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            - p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δx_piezo = δx_piezo - p.constant1;
+        // change of Δy_piezo
+        let δy_piezo = p.l
+            * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0)
+            - p.l * (cos_half_φ1_plus_φ1_0 * (φ1_minus_φ1_0 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δy_piezo = δy_piezo - p.constant2;
+        // length of `piezo`
+        let L_piezo = (Δx_piezo * Δx_piezo + Δy_piezo * Δy_piezo).sqrt();
+        let per_L_piezo = L_piezo.recip();
+        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
+        let Δx_piezo_dδx_piezo_dφ1 = Δx_piezo * dδx_piezo_dφ1;
         let ω3_per_l_X1 = ω3 * per_l_X1;
-        let A_x_minus_l_ω3_per_l_X1 = A_x - p.l * ω3_per_l_X1;
-        let t28 = t11 * t27 * 2.0 - t14 * A_x_minus_l_ω3_per_l_X1 * 2.0;
-        let t29 = t17.recip();
-        let t30 = t22 * t27 - t21 * t27 + t23 * A_x_minus_l_ω3_per_l_X1
-            - t24 * A_x_minus_l_ω3_per_l_X1;
-        let t31 = t26 * t28 * 0.5 - t29 * t30;
+        let l_ω3_per_l_X1 = p.l * ω3_per_l_X1;
+        let A_x_minus_l_ω3_per_l_X1 = A_x - l_ω3_per_l_X1;
+        let t8 = Δx_piezo_dδx_piezo_dφ1 - Δy_piezo * A_x_minus_l_ω3_per_l_X1;
+        // lever of `piezo`: change of its length
+        let dL_piezo_dφ1 = per_L_piezo * t8;
+        let t9 = Δx_piezo - p.constant1;
+        let t10 = Δy_piezo - p.constant2;
+        let t11 = δx_piezo * t9 + δy_piezo * t10;
+        let L_piezo_0_plus_L_piezo = p.L_piezo_0 + L_piezo;
+        let t12 = L_piezo_0_plus_L_piezo.recip();
+        // extension of `piezo`
+        let e_piezo = t11 * t12;
         let two_c_ω3_squared = p.two_c * ω3_squared;
         let ω3_minus_one_squared = ω3_minus_one * ω3_minus_one;
-        let t32 = p.two_c * ω3_minus_one_squared;
+        let t13 = p.two_c * ω3_minus_one_squared;
         let per_A = A.recip();
-        let k_ω3_prime_φ3_minus_φ3_0 = p.k * (ω3_prime * φ3_minus_φ3_0);
-        let t33 = p.two_k + k_ω3_prime_φ3_minus_φ3_0 + p.two_k * ω3_squared
-            + p.k * (ω3_prime * t6);
-        let ddP_s_dφ1_dφ1 = t33 + p.two_k * ω3_minus_one_squared
-            + p.k * (ω3_prime * t7) + k_ω3_prime_φ3_minus_φ3_0;
-        let t34 = t20 * t28 * t30;
-        let t35 = t27 * t27;
-        let t36 = A_x - l_ω3_squared_per_l_X1
-            - p.l * (per_l_x_table_minus_P1 * ω3_prime);
-        let t37 = A_x_minus_l_ω3_per_l_X1 * A_x_minus_l_ω3_per_l_X1;
-        let t38 = per_l_x_table_minus_P1 * ω3_squared;
-        let t39 = P1 + p.l * (per_l_X1 * ω3_prime) - p.l * t38;
-        let t40 = t28 * t28;
-        let t41 = t34 + t26 * ((t35 + t11 * t36) * 2.0 + (t37 + t14 * t39) * 2.0)
-            - (t16 * (t16 * t16)).recip() * t19 * t25 * t40 * 0.5;
-        let t42 = t34 * 0.5
-            + (t41 - t15.recip() * (t17 * t18).recip() * t25 * t40) * 0.5;
-        let t43 = t35 * 2.0 + t37 * 2.0 - t22 * t36 + t21 * t36 + t23 * t39 - t24 * t39;
-        let t44 = t42 + t29 * t43;
-        let t45 = (per_l_x_table_minus_P1 * per_l_x_table_minus_P1).recip() * ω3
-            * per_l_X1;
-        let t46 = P1 - p.two_l * (ω3_per_l_X1 * ω3_prime)
-            + p.l * (per_l_x_table_minus_P1 * (ω3 * ω3_squared));
-        let dω3_prime_dφ1 = p.per_l * (t45 * t2) + p.per_l * (t1 * t46);
-        let t47 = p.l * (sin_φ1_minus_φ3 * ω3_minus_one_squared)
+        let t14 = p.two_k
+            + (p.k * ω3_squared + p.k * (φ3_minus_φ3_0 * ω3_prime)) * 2.0;
+        let ddP_s_dφ1_dφ1 = t14
+            + (p.k * (ω3_prime * t7) + p.k * ω3_minus_one_squared) * 2.0;
+        let t15 = dδx_piezo_dφ1 * dδx_piezo_dφ1
+            + Δx_piezo * (A_x - l_ω3_squared_per_l_X1 - p.l * (t1 * ω3_prime));
+        let dδy_piezo_dφ1 = l_ω3_per_l_X1 - A_x;
+        let t16 = t1 * ω3_squared;
+        let t17 = t15 - A_x_minus_l_ω3_per_l_X1 * dδy_piezo_dφ1
+            + Δy_piezo * (l_sin_φ1 + p.l * (per_l_X1 * ω3_prime) - p.l * t16);
+        let t18 = (Δx_piezo_dδx_piezo_dφ1 * 2.0 + Δy_piezo * dδy_piezo_dφ1 * 2.0)
+            * 0.5;
+        let dL_piezo_dφ1_2 = t18 / L_piezo;
+        let ddL_piezo_dφ1_dφ1 = per_L_piezo * t17
+            - (L_piezo * L_piezo).recip() * t8 * dL_piezo_dφ1_2;
+        let t19 = t9 * dδx_piezo_dφ1 + δx_piezo * dδx_piezo_dφ1
+            + t10 * dδy_piezo_dφ1;
+        let t20 = t11 * (L_piezo_0_plus_L_piezo * L_piezo_0_plus_L_piezo).recip()
+            * dL_piezo_dφ1_2;
+        let de_piezo_dφ1 = t12 * (t19 + δy_piezo * dδy_piezo_dφ1) - t20;
+        let t21 = (t1 * t1).recip() * ω3 * per_l_X1;
+        let t22 = l_sin_φ1 - p.two_l * (ω3_per_l_X1 * ω3_prime)
+            + p.l * (t1 * (ω3 * ω3_squared));
+        let dω3_prime_dφ1 = p.per_l * (t21 * t3) + p.per_l * (t2 * t22);
+        let t23 = p.l * (sin_φ1_minus_φ3 * ω3_minus_one_squared)
             + p.l * ω3_prime_cos_φ1_minus_φ3;
-        let t48 = t47 + ν_table * per_l_X1 * ω3_prime + ω3_per_l_X1 * ν_table_prime;
-        let dν_table_prime_dφ1 = t45 * t3 - t1 * (t48 - t38 * ν_table);
-        let t49 = p.mo * (ν_table_prime * ν_table_prime)
+        let t24 = t23 + ν_table * per_l_X1 * ω3_prime + ω3_per_l_X1 * ν_table_prime;
+        let dν_table_prime_dφ1 = t21 * t4 - t2 * (t24 - t16 * ν_table);
+        let t25 = p.mo * (ν_table_prime * ν_table_prime)
             + p.mo * (ν_table * dν_table_prime_dφ1);
-        let t50 = (p.C1 * (ω3_prime * ω3_prime) + p.C1 * (ω3 * dω3_prime_dφ1)) * 2.0
-            + t49 * 2.0;
-        let t51 = t50 + p.C2 * (cos_φ1_minus_φ3 * dω3_prime_dφ1)
+        let t26 = (p.C1 * (ω3_prime * ω3_prime) + p.C1 * (ω3 * dω3_prime_dφ1)) * 2.0
+            + t25 * 2.0;
+        let t27 = t26 + p.C2 * (cos_φ1_minus_φ3 * dω3_prime_dφ1)
             + p.two_C2 * (sin_φ1_minus_φ3 * ω3_prime * ω3_minus_one);
-        let ddA_dφ1_dφ1 = t51 + p.C2 * (sin_φ1_minus_φ3_ω3 * ω3_prime)
+        let ddA_dφ1_dφ1 = t27 + p.C2 * (sin_φ1_minus_φ3_ω3 * ω3_prime)
             - p.C2 * (ω3_cos_φ1_minus_φ3 * ω3_minus_one_squared);
-        let dF_piezo_ddφ1 = -(p.cs * t31);
-        let dτ_ddφ1 = t31 * dF_piezo_ddφ1 - p.two_c - two_c_ω3_squared - t32;
+        let dF_piezo_ddφ1 = -(p.cs * dL_piezo_dφ1);
+        let dτ_ddφ1 = dL_piezo_dφ1 * dF_piezo_ddφ1 - p.two_c - two_c_ω3_squared
+            - t13;
         // ── state ──
-        let t52 = p.constant1 * t;
-        let (t53, t54) = t52.sin_cos();
+        let t28 = p.constant3 * t;
+        let (t29, t30) = t28.sin_cos();
         // drive `extension`
-        let extension = p.stroke * t53;
+        let extension = p.stroke * t29;
         // rate of the drive `extension`
-        let dextension = p.constant2 * t54;
+        let d_extension_dt = p.constant4 * t30;
         // force of `piezo` on its second end
-        let F_piezo = p.ks * (t29 * t25 + extension) + p.cs * (dextension - t31 * dφ1);
+        let F_piezo = p.ks * (extension - e_piezo)
+            + p.cs * (d_extension_dt - dL_piezo_dφ1 * dφ1);
+        let t31 = dL_piezo_dφ1 * F_piezo - p.two_c * dφ1 - two_c_ω3_squared * dφ1;
         // generalized torque of all other forces
-        let τ = t31 * F_piezo - p.two_c * dφ1 - two_c_ω3_squared * dφ1 - t32 * dφ1;
+        let τ = t31 - t13 * dφ1;
         let dφ1_squared = dφ1 * dφ1;
-        let t55 = (A * A).recip() * dA_dφ1
+        let t32 = (A * A).recip() * dA_dφ1
             * (dP_s_dφ1 - τ + dA_dφ1 * 0.5 * dφ1_squared);
-        let dF_piezo_dφ1 = -(p.ks * t31 + p.cs * t44 * dφ1);
-        let t56 = t44 * F_piezo + t31 * dF_piezo_dφ1 - p._4_c * ω3_ω3_prime * dφ1;
-        let dτ_dφ1 = t56 - p._4_c * (ω3_prime * ω3_minus_one) * dφ1;
-        let dddφ1_dφ1 = t55
+        let dF_piezo_dφ1 = -(p.ks * de_piezo_dφ1 + p.cs * ddL_piezo_dφ1_dφ1 * dφ1);
+        let t33 = ddL_piezo_dφ1_dφ1 * F_piezo + dL_piezo_dφ1 * dF_piezo_dφ1
+            - p._4_c * ω3_ω3_prime * dφ1;
+        let dτ_dφ1 = t33 - p._4_c * (ω3_prime * ω3_minus_one) * dφ1;
+        let dddφ1_dφ1 = t32
             - per_A * (ddP_s_dφ1_dφ1 - dτ_dφ1 + ddA_dφ1_dφ1 * 0.5 * dφ1_squared);
         let dddφ1_ddφ1 = per_A * (dτ_ddφ1 - dA_dφ1 * dφ1);
         result[1] = T::from_f64(1.0);
@@ -661,9 +656,7 @@ pub mod bridge_amplifier {
         // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
         let B_x = p.l * (p.per_l * X1);
-        // its part along the guide
-        let P1 = p.l * sin_φ1;
-        let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
+        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + p.l * sin_φ1;
         result[0] = B_x - A_x;
         result[1] = x_table;
     }
@@ -682,86 +675,89 @@ pub mod bridge_amplifier {
         let turn_upper_left = d[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // its part along the guide
-        let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
         // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
-        let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
-        let per_l_x_table_minus_P1 = p.per_l * (x_table - P1);
-        let t1 = per_l_x_table_minus_P1.recip();
+        let l_sin_φ1 = p.l * sin_φ1;
+        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
+        let t1 = p.per_l * (x_table - l_sin_φ1);
+        let t2 = t1.recip();
         // rate of the angle of `upper_left` per unit rate of `lower_left`
-        let ω3 = -(sin_φ1 * t1);
+        let ω3 = -(sin_φ1 * t2);
         let ω3_squared = ω3 * ω3;
         let per_l_X1 = p.per_l * X1;
         let c3 = -per_l_X1;
-        let s3 = -per_l_x_table_minus_P1;
+        let s3 = -t1;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         // rate of the position of `table` per unit rate of `lower_left`
-        let ν_table = p.l * (t1 * sin_φ1_minus_φ3);
+        let ν_table = p.l * (t2 * sin_φ1_minus_φ3);
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         // inertia
         let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
             + p.C2 * (ω3 * cos_φ1_minus_φ3);
-        let φ4_minus_φ4_0 = φ1 - p.φ1_0;
-        let t2 = p.half_k * (φ4_minus_φ4_0 * φ4_minus_φ4_0);
+        let φ1_minus_φ1_0 = φ1 - p.φ1_0;
         let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
         let φ3_minus_φ3_0 = t3.unwrap_to(turn_upper_left);
-        let t4 = p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
+        let t4 = p.k * (φ1_minus_φ1_0 * φ1_minus_φ1_0)
+            + p.k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
         let t5 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
-        let t6 = φ4_minus_φ4_0 - φ3_minus_φ3_0;
-        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
-        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
-            .sin_cos();
-        let t7 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        let t6 = φ1_minus_φ1_0 - φ3_minus_φ3_0;
         // angle of `upper_left`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
         let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
             .sin_cos();
-        let t8 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t9 = p.Δx_piezo_0 - t7 + t8;
-        let t10 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
-        let t11 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
-        let t12 = p.Δy_piezo_0 - t10 + t11;
-        let t13 = (t9 * t9 + t12 * t12).sqrt();
-        let t14 = p.L_piezo_0 + t13;
-        let t15 = t14.recip();
-        let t16 = p.two_Δx_piezo_0 - t7 + t8;
-        let t17 = t7 - t8;
-        let t18 = p.two_Δy_piezo_0 - t10 + t11;
-        let t19 = t10 - t11;
-        let t20 = t16 * t17 + t18 * t19;
+        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
+        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
+            .sin_cos();
+        // change of Δx_piezo
+        let δx_piezo = p.l
+            * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            - p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δx_piezo = δx_piezo - p.constant1;
+        // change of Δy_piezo
+        let δy_piezo = p.l
+            * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0)
+            - p.l * (cos_half_φ1_plus_φ1_0 * (φ1_minus_φ1_0 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δy_piezo = δy_piezo - p.constant2;
+        let t7 = δx_piezo * (Δx_piezo - p.constant1)
+            + δy_piezo * (Δy_piezo - p.constant2);
+        // length of `piezo`
+        let L_piezo = (Δx_piezo * Δx_piezo + Δy_piezo * Δy_piezo).sqrt();
+        // extension of `piezo`
+        let e_piezo = t7 * (p.L_piezo_0 + L_piezo).recip();
         let ω3_minus_one = ω3 - 1.0;
-        let t21 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
-        let A_x_minus_l_ω3_per_l_X1 = A_x - p.l * (ω3 * per_l_X1);
-        let t22 = t13.recip() * (t14 * t14).recip() * t20
-            * (t9 * t21 * 2.0 - t12 * A_x_minus_l_ω3_per_l_X1 * 2.0);
-        let t23 = t17 * t21 - t16 * t21 + t18 * A_x_minus_l_ω3_per_l_X1
-            - t19 * A_x_minus_l_ω3_per_l_X1;
+        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
+        let t8 = Δx_piezo * dδx_piezo_dφ1
+            - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
+        // lever of `piezo`: change of its length
+        let dL_piezo_dφ1 = L_piezo.recip() * t8;
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;
-        let t24 = p.constant1 * t;
-        let (t25, t26) = t24.sin_cos();
+        let t9 = p.constant3 * t;
+        let (t10, t11) = t9.sin_cos();
         // drive `extension`
-        let extension = p.stroke * t25;
-        let t27 = t15 * t20 + extension;
-        let t28 = t2 + t4 + p.half_k * (t5 * t5) + p.half_k * (t6 * t6) + t4 + t2
-            + p.half_ks * (t27 * t27);
-        let t29 = p.two_c * dφ1_squared + p.two_c * ω3_squared * dφ1_squared
+        let extension = p.stroke * t10;
+        let e_piezo_minus_extension = e_piezo - extension;
+        let t12 = t4 + p.half_k * (t5 * t5) + p.half_k * (t6 * t6)
+            + p.half_ks * (e_piezo_minus_extension * e_piezo_minus_extension);
+        let t13 = p.two_c * dφ1_squared + p.two_c * ω3_squared * dφ1_squared
             + p.two_c * (ω3_minus_one * ω3_minus_one) * dφ1_squared;
-        let t30 = (t22 * 0.5 - t15 * t23) * dφ1;
+        let dL_piezo_dφ1_dφ1 = dL_piezo_dφ1 * dφ1;
         // rate of the drive `extension`
-        let dextension = p.constant2 * t26;
-        let t31 = t30 - dextension;
+        let d_extension_dt = p.constant4 * t11;
+        let t14 = dL_piezo_dφ1_dφ1 - d_extension_dt;
         // force of `piezo` on its second end
-        let F_piezo = p.ks * t27 + p.cs * (dextension - t30);
+        let F_piezo = p.ks * (extension - e_piezo)
+            + p.cs * (d_extension_dt - dL_piezo_dφ1_dφ1);
         result[0] = A * 0.5 * dφ1_squared;
-        result[1] = t28;
-        result[2] = t29 + p.cs * (t31 * t31);
-        result[3] = dextension * F_piezo;
+        result[1] = t12;
+        result[2] = t13 + p.cs * (t14 * t14);
+        result[3] = d_extension_dt * F_piezo;
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]
@@ -804,13 +800,12 @@ pub mod bridge_amplifier {
         let turn_upper_left = d[0];
         // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // its part along the guide
-        let P1 = p.l * sin_φ1;
         let A_x = p.l * cos_φ1;
         // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
-        let x_table = P1 + p.s1 * (p.l_squared - X1 * X1).sqrt();
-        let s3 = -(p.per_l * (x_table - P1));
+        let l_sin_φ1 = p.l * sin_φ1;
+        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
+        let s3 = -(p.per_l * (x_table - l_sin_φ1));
         let c3 = -(p.per_l * X1);
         let t1 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
@@ -1349,13 +1344,12 @@ Loop lower_left–upper_left–table
 
   X1      = -l cos(φ1)
   Y1      = -l sin(φ1)
-  P1      = -Y1
-  N1      = X1
-  x_table = P1 + s1 sqrt(l² - N1²)
+  x_table = ε1 sqrt(l² - X1²) - Y1
   c3      = -X1/l
   s3      = -(x_table + Y1) / l
 
   φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
+  ω3 = dφ3/dφ1, ν_table = dx_table/dφ1, ' = d/dφ1
 
   ω3       = sin(φ1)/sin(φ3)
   ν_table  = l sin(φ3 - φ1) / sin(φ3)
@@ -1384,36 +1378,17 @@ Constants of the inertia
 Named forces
 ────────────
 
-  F_piezo = ks (extension
-              + ((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3))
-              + 2 Δx_piezo⁰) (l (cos(φ1) - cos(φ1⁰)) + l (cos(φ3) - cos(φ3⁰)))
-              + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3))
-              + 2 Δy_piezo⁰) (l (sin(φ1) - sin(φ1⁰)) + l (sin(φ3) - sin(φ3⁰))))
-              / (L_piezo⁰
-              + sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-              + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²)))
-          + cs (ėxtension
-              + φ̇1 (-((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3))
-              + 2 Δx_piezo⁰) (l (cos(φ1) - cos(φ1⁰)) + l (cos(φ3) - cos(φ3⁰)))
-              + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3))
-              + 2 Δy_piezo⁰) (l (sin(φ1) - sin(φ1⁰))
-              + l (sin(φ3) - sin(φ3⁰)))) (2 (l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3))
-              + Δx_piezo⁰) (l sin(φ1) + l ω3 sin(φ3))
-              - 2 (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰) (l cos(φ1)
-              + l ω3 cos(φ3)))
-              / (2 sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-              + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²) (L_piezo⁰
-              + sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-              + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²))²)
-              - ((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + 2 Δx_piezo⁰) (l sin(φ1)
-              + l ω3 sin(φ3))
-              - (l (cos(φ1) - cos(φ1⁰)) + l (cos(φ3) - cos(φ3⁰))) (l sin(φ1) + l ω3 sin(φ3))
-              - (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + 2 Δy_piezo⁰) (l cos(φ1)
-              + l ω3 cos(φ3))
-              - (-l (sin(φ1) - sin(φ1⁰)) - l (sin(φ3) - sin(φ3⁰))) (l cos(φ1) + l ω3 cos(φ3)))
-              / (L_piezo⁰
-              + sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-              + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²))))
+  δx_piezo     = l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3))
+  Δx_piezo     = δx_piezo + Δx_piezo⁰
+  δy_piezo     = l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3))
+  Δy_piezo     = δy_piezo + Δy_piezo⁰
+  L_piezo      = sqrt(Δx_piezo² + Δy_piezo²)
+  e_piezo      = (δx_piezo (Δx_piezo + Δx_piezo⁰) + δy_piezo (Δy_piezo + Δy_piezo⁰))
+                   / (L_piezo + L_piezo⁰)
+                 extension: the length less that as assembled, without cancellation
+  ∂L_piezo/∂φ1 = (Δx_piezo (l sin(φ1) + l ω3 sin(φ3)) - Δy_piezo (l cos(φ1) + l ω3 cos(φ3)))
+                   / L_piezo
+  F_piezo      = ks (extension - e_piezo) + cs (d(extension)/dt - φ̇1 ∂L_piezo/∂φ1)
 
 Equation of motion of `lower_left`
 ──────────────────────────────────
@@ -1423,36 +1398,8 @@ Equation of motion of `lower_left`
            + 2 mo ν_table ν_table'
            + C2 ω3' cos(φ1 - φ3)
            + C2 ω3 (ω3 - 1) sin(φ1 - φ3)
-  ∂P_s/∂φ1 = k (φ1 - φ1⁰)
-           + k ω3 (φ2 - φ2⁰)
-           + k (ω3 - 1) (φ3 - φ3⁰ - φ1 + φ1⁰)
-           + k (ω3 - 1) (φ2 - φ2⁰ - (φ4 - φ4⁰))
-           + k ω3 (φ3 - φ3⁰)
-           + k (φ4 - φ4⁰)
-  τ        = F_piezo (((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3))
-               + 2 Δx_piezo⁰) (l (cos(φ1) - cos(φ1⁰)) + l (cos(φ3) - cos(φ3⁰)))
-               + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3))
-               + 2 Δy_piezo⁰) (l (sin(φ1) - sin(φ1⁰))
-               + l (sin(φ3) - sin(φ3⁰)))) (2 (l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3))
-               + Δx_piezo⁰) (l sin(φ1) + l ω3 sin(φ3))
-               - 2 (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰) (l cos(φ1)
-               + l ω3 cos(φ3)))
-               / (2 sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-               + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²) (L_piezo⁰
-               + sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-               + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²))²)
-               + ((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + 2 Δx_piezo⁰) (l sin(φ1)
-               + l ω3 sin(φ3))
-               - (l (cos(φ1) - cos(φ1⁰)) + l (cos(φ3) - cos(φ3⁰))) (l sin(φ1) + l ω3 sin(φ3))
-               - (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + 2 Δy_piezo⁰) (l cos(φ1)
-               + l ω3 cos(φ3))
-               - (-l (sin(φ1) - sin(φ1⁰)) - l (sin(φ3) - sin(φ3⁰))) (l cos(φ1) + l ω3 cos(φ3)))
-               / (L_piezo⁰
-               + sqrt((l (cos(φ1⁰) - cos(φ1)) + l (cos(φ3⁰) - cos(φ3)) + Δx_piezo⁰)²
-               + (l (sin(φ1⁰) - sin(φ1)) + l (sin(φ3⁰) - sin(φ3)) + Δy_piezo⁰)²)))
-           - 2 c φ̇1
-           - 2 c φ̇1 ω3²
-           - 2 c φ̇1 (ω3 - 1)²
+  ∂P_s/∂φ1 = 2 k (φ1 - φ1⁰) + 2 k ω3 (φ3 - φ3⁰) + 2 k (ω3 - 1) (φ3 - φ3⁰ - φ1 + φ1⁰)
+  τ        = ∂L_piezo/∂φ1 F_piezo - 2 c φ̇1 - 2 c φ̇1 ω3² - 2 c φ̇1 (ω3 - 1)²
 
   A(φ1) φ̈1 + ½ ∂A/∂φ1 φ̇1² + ∂P_s/∂φ1 = τ
 
@@ -1469,22 +1416,14 @@ Constants
   r4        = ½ l          distance of the centre of mass from the first end of upper_right
   I4        = 1/12 ma l²   moment of inertia about the centre of mass of upper_right
   φ1⁰       = π - rise     angle of `lower_left` as assembled
-  φ3⁰       = unwrap(atan2(s3⁰, c3⁰); π + rise)
-              angle of `upper_left` as assembled
-  x_table⁰  = P1⁰ + s1 sqrt(l² - (N1⁰)²)
-              position of `table` as assembled
-  s1        = if 2 height > l sin(π + rise) + P1⁰ then 1 else -1
+  ε1        = sign(2 height - l sin(π + rise) + Y1⁰)
               which way the loop closes: as drawn
-  X1⁰       = -l cos(φ1⁰)
-  Y1⁰       = -l sin(φ1⁰)
-  P1⁰       = -Y1⁰
-  N1⁰       = X1⁰
-  c3⁰       = -X1⁰/l
-  s3⁰       = -(x_table⁰ + Y1⁰) / l
   Δx_piezo⁰ = -l cos(φ1⁰) - l cos(φ3⁰)
   Δy_piezo⁰ = -l sin(φ1⁰) - l sin(φ3⁰)
   L_piezo⁰  = sqrt((Δx_piezo⁰)² + (Δy_piezo⁰)²)
               length of `piezo` as assembled
+
+  φ3⁰, Y1⁰: by the formulas of the loops, at φ1 = φ1⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -1504,12 +1443,11 @@ motion into a larger one of the output across it.
 & l\, e^{i \varphi_{1}} - l\, e^{i \varphi_{3}} - i\,x_{\mathrm{table}} = 0 \\
 X_{1} &= -l \cos \varphi_{1} \\
 Y_{1} &= -l \sin \varphi_{1} \\
-P_{1} &= -Y_{1} \\
-N_{1} &= X_{1} \\
-x_{\mathrm{table}} &= P_{1} + s_{1} \, \sqrt{l^{2} - N_{1}^{2}} \\
+x_{\mathrm{table}} &= \varepsilon_{1} \, \sqrt{l^{2} - X_{1}^{2}} - Y_{1} \\
 \cos \varphi_{3} &= -\frac{X_{1}}{l} \\
 \sin \varphi_{3} &= -\frac{x_{\mathrm{table}} + Y_{1}}{l} \\
 & \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{3} = \frac{\mathrm d\varphi_{3}}{\mathrm d\varphi_{1}},\quad \nu_{\mathrm{table}} = \frac{\mathrm dx_{\mathrm{table}}}{\mathrm d\varphi_{1}},\quad {}' = \frac{\mathrm d}{\mathrm d\varphi_{1}} \\
 \omega_{3} &= \frac{\sin \varphi_{1}}{\sin \varphi_{3}} \\
 \nu_{\mathrm{table}} &= \frac{l \sin\left(\varphi_{3} - \varphi_{1}\right)}{\sin \varphi_{3}} \\
 \omega'_{3} &= \frac{l \cos \varphi_{1} - l \, \omega_{3}^{2} \cos \varphi_{3}}{l \sin \varphi_{3}} \\
@@ -1537,8 +1475,14 @@ C_{2} &= 2 \, l \, \mathit{ma} \left(r_{3} - l\right) + 2 \, l \, \mathit{ma} \l
 
 \subsection*{Named forces}
 \begin{align*}
-F_{\mathrm{piezo}} &= \mathit{ks} \left(\mathit{extension} + \frac{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \left(\cos \varphi_{1} - \cos \varphi_{1}^0\right) + l \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \left(\sin \varphi_{1} - \sin \varphi_{1}^0\right) + l \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right)\right)}{L_{\mathrm{piezo}}^{0} + \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}}}\right) \\
-&\quad {}+ \mathit{cs} \left(\dot{\mathit{extension}} + \dot{\varphi}_{1} \left(-\frac{\left(\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \left(\cos \varphi_{1} - \cos \varphi_{1}^0\right) + l \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \left(\sin \varphi_{1} - \sin \varphi_{1}^0\right) + l \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right)\right)\right) \left(2 \left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - 2 \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right)\right)}{2 \, \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}} \left(L_{\mathrm{piezo}}^{0} + \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}}\right)^{2}} - \frac{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - \left(l \left(\cos \varphi_{1} - \cos \varphi_{1}^0\right) + l \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right) - \left(-l \left(\sin \varphi_{1} - \sin \varphi_{1}^0\right) - l \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right)\right) \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right)}{L_{\mathrm{piezo}}^{0} + \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}}}\right)\right)
+\delta x_{\mathrm{piezo}} &= l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) \\
+\Delta x_{\mathrm{piezo}} &= \delta x_{\mathrm{piezo}} + \Delta x_{\mathrm{piezo}}^{0} \\
+\delta y_{\mathrm{piezo}} &= l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) \\
+\Delta y_{\mathrm{piezo}} &= \delta y_{\mathrm{piezo}} + \Delta y_{\mathrm{piezo}}^{0} \\
+L_{\mathrm{piezo}} &= \sqrt{\Delta x_{\mathrm{piezo}}^{2} + \Delta y_{\mathrm{piezo}}^{2}} \\
+e_{\mathrm{piezo}} &= \frac{\delta x_{\mathrm{piezo}} \left(\Delta x_{\mathrm{piezo}} + \Delta x_{\mathrm{piezo}}^{0}\right) + \delta y_{\mathrm{piezo}} \left(\Delta y_{\mathrm{piezo}} + \Delta y_{\mathrm{piezo}}^{0}\right)}{L_{\mathrm{piezo}} + L_{\mathrm{piezo}}^{0}} && \text{extension: the length less that as assembled, without cancellation} \\
+\frac{\partial L_{\mathrm{piezo}}}{\partial \varphi_{1}} &= \frac{\Delta x_{\mathrm{piezo}} \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - \Delta y_{\mathrm{piezo}} \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right)}{L_{\mathrm{piezo}}} \\
+F_{\mathrm{piezo}} &= \mathit{ks} \left(\mathit{extension} - e_{\mathrm{piezo}}\right) + \mathit{cs} \left(\dot{\mathit{extension}} - \dot{\varphi}_{1} \, \frac{\partial L_{\mathrm{piezo}}}{\partial \varphi_{1}}\right)
 \end{align*}
 
 \subsection*{Equation of motion of \texttt{lower\_left}}
@@ -1548,16 +1492,10 @@ A(\varphi_{1}) &= C_{0} + C_{1} \, \omega_{3}^{2} + \mathit{mo} \, \nu_{\mathrm{
 &\quad {}+ 2 \, \mathit{mo} \, \nu_{\mathrm{table}} \, \nu'_{\mathrm{table}} \\
 &\quad {}+ C_{2} \, \omega'_{3} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
 &\quad {}+ C_{2} \, \omega_{3} \left(\omega_{3} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right) \\
-\frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
-&\quad {}+ k \, \omega_{3} \left(\varphi_{2} - \varphi_{2}^0\right) \\
-&\quad {}+ k \left(\omega_{3} - 1\right) \left(\varphi_{3} - \varphi_{3}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\omega_{3} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{4} - \varphi_{4}^0\right)\right) \\
-&\quad {}+ k \, \omega_{3} \left(\varphi_{3} - \varphi_{3}^0\right) \\
-&\quad {}+ k \left(\varphi_{4} - \varphi_{4}^0\right) \\
-\tau &= F_{\mathrm{piezo}} \left(\frac{\left(\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \left(\cos \varphi_{1} - \cos \varphi_{1}^0\right) + l \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \left(\sin \varphi_{1} - \sin \varphi_{1}^0\right) + l \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right)\right)\right) \left(2 \left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - 2 \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right)\right)}{2 \, \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}} \left(L_{\mathrm{piezo}}^{0} + \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}}\right)^{2}} + \frac{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + 2 \, \Delta x_{\mathrm{piezo}}^{0}\right) \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - \left(l \left(\cos \varphi_{1} - \cos \varphi_{1}^0\right) + l \left(\cos \varphi_{3} - \cos \varphi_{3}^0\right)\right) \left(l \sin \varphi_{1} + l \, \omega_{3} \sin \varphi_{3}\right) - \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + 2 \, \Delta y_{\mathrm{piezo}}^{0}\right) \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right) - \left(-l \left(\sin \varphi_{1} - \sin \varphi_{1}^0\right) - l \left(\sin \varphi_{3} - \sin \varphi_{3}^0\right)\right) \left(l \cos \varphi_{1} + l \, \omega_{3} \cos \varphi_{3}\right)}{L_{\mathrm{piezo}}^{0} + \sqrt{\left(l \left(\cos \varphi_{1}^0 - \cos \varphi_{1}\right) + l \left(\cos \varphi_{3}^0 - \cos \varphi_{3}\right) + \Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(l \left(\sin \varphi_{1}^0 - \sin \varphi_{1}\right) + l \left(\sin \varphi_{3}^0 - \sin \varphi_{3}\right) + \Delta y_{\mathrm{piezo}}^{0}\right)^{2}}}\right) \\
-&\quad {}- 2 \, c \, \dot{\varphi}_{1} \\
-&\quad {}- 2 \, c \, \dot{\varphi}_{1} \, \omega_{3}^{2} \\
-&\quad {}- 2 \, c \, \dot{\varphi}_{1} \left(\omega_{3} - 1\right)^{2} \\
+\frac{\partial P_s}{\partial \varphi_{1}} &= 2 \, k \left(\varphi_{1} - \varphi_{1}^0\right) \\
+&\quad {}+ 2 \, k \, \omega_{3} \left(\varphi_{3} - \varphi_{3}^0\right) \\
+&\quad {}+ 2 \, k \left(\omega_{3} - 1\right) \left(\varphi_{3} - \varphi_{3}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
+\tau &= \frac{\partial L_{\mathrm{piezo}}}{\partial \varphi_{1}} \, F_{\mathrm{piezo}} - 2 \, c \, \dot{\varphi}_{1} - 2 \, c \, \dot{\varphi}_{1} \, \omega_{3}^{2} - 2 \, c \, \dot{\varphi}_{1} \left(\omega_{3} - 1\right)^{2} \\
 & A(\varphi_{1})\,\ddot{\varphi}_{1} + \tfrac12 \frac{\partial A}{\partial \varphi_{1}}\,\dot{\varphi}_{1}^2 + \frac{\partial P_s}{\partial \varphi_{1}} = \tau
 \end{align*}
 
@@ -1573,18 +1511,11 @@ I_{3} &= \frac{1}{12} \, \mathit{ma} \, l^{2} && \text{moment of inertia about t
 r_{4} &= \frac{1}{2} \, l && \text{distance of the centre of mass from the first end of upper\_right} \\
 I_{4} &= \frac{1}{12} \, \mathit{ma} \, l^{2} && \text{moment of inertia about the centre of mass of upper\_right} \\
 \varphi_{1}^0 &= \pi - \mathit{rise} && \text{angle of \texttt{lower\_left} as assembled} \\
-\varphi_{3}^0 &= \operatorname{unwrap}\left(\operatorname{atan2}\left(\sin \varphi_{3}^0, \cos \varphi_{3}^0\right); \pi + \mathit{rise}\right) && \text{angle of \texttt{upper\_left} as assembled} \\
-x_{\mathrm{table}}^0 &= {P_{1}}^0 + s_{1} \, \sqrt{l^{2} - \left({N_{1}}^0\right)^{2}} && \text{position of \texttt{table} as assembled} \\
-s_{1} &= \begin{cases} 1 & \text{if } 2 \, \mathit{height} > l \sin\left(\pi + \mathit{rise}\right) + {P_{1}}^0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{1}}^0 &= -l \cos \varphi_{1}^0 \\
-{Y_{1}}^0 &= -l \sin \varphi_{1}^0 \\
-{P_{1}}^0 &= -{Y_{1}}^0 \\
-{N_{1}}^0 &= {X_{1}}^0 \\
-\cos \varphi_{3}^0 &= -\frac{{X_{1}}^0}{l} \\
-\sin \varphi_{3}^0 &= -\frac{x_{\mathrm{table}}^0 + {Y_{1}}^0}{l} \\
+\varepsilon_{1} &= \operatorname{sgn}\left(2 \, \mathit{height} - l \sin\left(\pi + \mathit{rise}\right) + {Y_{1}}^0\right) && \text{which way the loop closes: as drawn} \\
 \Delta x_{\mathrm{piezo}}^{0} &= -l \cos \varphi_{1}^0 - l \cos \varphi_{3}^0 \\
 \Delta y_{\mathrm{piezo}}^{0} &= -l \sin \varphi_{1}^0 - l \sin \varphi_{3}^0 \\
-L_{\mathrm{piezo}}^{0} &= \sqrt{\left(\Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(\Delta y_{\mathrm{piezo}}^{0}\right)^{2}} && \text{length of \texttt{piezo} as assembled}
+L_{\mathrm{piezo}}^{0} &= \sqrt{\left(\Delta x_{\mathrm{piezo}}^{0}\right)^{2} + \left(\Delta y_{\mathrm{piezo}}^{0}\right)^{2}} && \text{length of \texttt{piezo} as assembled} \\
+& \varphi_{3}^0,\, {Y_{1}}^0: \text{ by the formulas of the loops, at } \varphi_{1} = \varphi_{1}^0
 \end{align*}
 
 \end{document}

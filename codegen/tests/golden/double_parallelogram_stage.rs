@@ -212,17 +212,15 @@ pub mod double_parallelogram_stage {
                 l,
                 C0,
                 C1,
-                C2,
                 half_C2: C2 * 0.5,
                 C0_C1: C0 * C1,
                 k,
+                ddP_s_dφ1_dφ1,
                 constant1: f * 6.283185307179586,
                 l_push: l * push,
-                ddP_s_dφ1_dφ1,
                 margin,
                 half_C0: C0 * 0.5,
                 half_C1: C1 * 0.5,
-                half_k: k * 0.5,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -244,28 +242,24 @@ pub mod double_parallelogram_stage {
         pub C0: T,
         /// `C1` constant of the inertia
         pub C1: T,
-        /// `C2` constant of the inertia
-        pub C2: T,
         /// `0.5 * C2`
         pub half_C2: T,
         /// `C0 * C1`
         pub C0_C1: T,
         /// `k` stiffness at either end of a leaf
         pub k: T,
+        /// `∂∂P_s/∂φ1/∂φ1`
+        pub ddP_s_dφ1_dφ1: T,
         /// `6.283185307179586 * f`
         pub constant1: T,
         /// `l * push`
         pub l_push: T,
-        /// `∂∂P_s/∂φ1/∂φ1`
-        pub ddP_s_dφ1_dφ1: T,
         /// `margin`
         pub margin: T,
         /// `0.5 * C0`
         pub half_C0: T,
         /// `0.5 * C1`
         pub half_C1: T,
-        /// `0.5 * k`
-        pub half_k: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -277,17 +271,15 @@ pub mod double_parallelogram_stage {
                 l: turn(self.l),
                 C0: turn(self.C0),
                 C1: turn(self.C1),
-                C2: turn(self.C2),
                 half_C2: turn(self.half_C2),
                 C0_C1: turn(self.C0_C1),
                 k: turn(self.k),
+                ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 constant1: turn(self.constant1),
                 l_push: turn(self.l_push),
-                ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 margin: turn(self.margin),
                 half_C0: turn(self.half_C0),
                 half_C1: turn(self.half_C1),
-                half_k: turn(self.half_k),
             }
         }
     }
@@ -310,30 +302,29 @@ pub mod double_parallelogram_stage {
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
-        let M_left_inner_left = p.half_C2 * cos_φ1_minus_φ2;
+        let M12 = p.half_C2 * cos_φ1_minus_φ2;
         // determinant of the inertia
-        let det_left_inner_left = p.C0_C1 - M_left_inner_left * M_left_inner_left;
-        let per_det_left_inner_left = det_left_inner_left.recip();
-        let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.k * φ_right_minus_φ_right_0;
-        // springs
-        let dP_s_dφ1 = t1 + t1 - p.k * (T::from_f64(1.5707963267948966) - φ1) + t1;
+        let det_M = p.C0_C1 - M12 * M12;
+        let per_det_M = det_M.recip();
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * (φ1 - 1.5707963267948966);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        let dM_left_inner_left_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        let t2 = φ2 + 1.5707963267948966;
-        let t3 = p.k * t2;
-        let t4 = p.k * (T::from_f64(-1.5707963267948966) - φ2);
-        // springs
-        let dP_s_dφ2 = t3 - t4 - t4 + t3;
+        // slope of the inertia
+        let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
+        // slope of the potential energy of springs
+        let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * (φ2 + 1.5707963267948966);
+        // slope of the inertia
+        let dM12_dφ1 = -dM12_dφ2;
         // ── state ──
-        let t5 = (p.constant1 * t).sin();
+        let t1 = (p.constant1 * t).sin();
         // centrifugal and Coriolis terms
-        let h_left = dM_left_inner_left_dφ2 * (dφ2 * dφ2);
-        let t6 = dP_s_dφ1 + p.l_push * sin_φ1 * t5 + h_left;
-        let t7 = dP_s_dφ2 + p.l_push * sin_φ2 * t5
-            - dM_left_inner_left_dφ2 * (dφ1 * dφ1);
-        let ddφ1 = -(per_det_left_inner_left * (p.C1 * t6 - M_left_inner_left * t7));
-        let ddφ2 = -(per_det_left_inner_left * (p.C0 * t7 - M_left_inner_left * t6));
+        let h1 = dM12_dφ2 * (dφ2 * dφ2);
+        let t2 = dP_s_dφ1 + p.l_push * sin_φ1 * t1 + h1;
+        // centrifugal and Coriolis terms
+        let h2 = dM12_dφ1 * (dφ1 * dφ1);
+        let t3 = dP_s_dφ2 + p.l_push * sin_φ2 * t1 + h2;
+        let ddφ1 = -(per_det_M * (p.C1 * t2 - M12 * t3));
+        let ddφ2 = -(per_det_M * (p.C0 * t3 - M12 * t2));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -358,66 +349,58 @@ pub mod double_parallelogram_stage {
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
-        let M_left_inner_left = p.half_C2 * cos_φ1_minus_φ2;
+        let M12 = p.half_C2 * cos_φ1_minus_φ2;
         // determinant of the inertia
-        let det_left_inner_left = p.C0_C1 - M_left_inner_left * M_left_inner_left;
-        let t1 = (det_left_inner_left * det_left_inner_left).recip();
+        let det_M = p.C0_C1 - M12 * M12;
+        let per_det_M_squared = (det_M * det_M).recip();
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        let dM_left_inner_left_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        let dM_left_inner_left_dφ1 = -dM_left_inner_left_dφ2;
-        let ddet_left_inner_left_dφ1 = -(M_left_inner_left * dM_left_inner_left_dφ1
-            * 2.0);
-        let t2 = t1 * ddet_left_inner_left_dφ1;
-        let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t3 = p.k * φ_right_minus_φ_right_0;
-        // springs
-        let dP_s_dφ1 = t3 + t3 - p.k * (T::from_f64(1.5707963267948966) - φ1) + t3;
-        let t4 = φ2 + 1.5707963267948966;
-        let t5 = p.k * t4;
-        let t6 = p.k * (T::from_f64(-1.5707963267948966) - φ2);
-        // springs
-        let dP_s_dφ2 = t5 - t6 - t6 + t5;
-        let per_det_left_inner_left = det_left_inner_left.recip();
-        let t7 = M_left_inner_left * per_det_left_inner_left;
-        let C2_sin_φ1_minus_φ2 = p.C2 * sin_φ1_minus_φ2;
-        let ddet_left_inner_left_dφ2 = -(M_left_inner_left * dM_left_inner_left_dφ2
-            * 2.0);
-        let t8 = t1 * ddet_left_inner_left_dφ2;
+        // slope of the inertia
+        let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
+        // slope of the inertia
+        let dM12_dφ1 = -dM12_dφ2;
+        let ddet_M_dφ1 = -(M12 * dM12_dφ1 * 2.0);
+        let t1 = per_det_M_squared * ddet_M_dφ1;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * (φ1 - 1.5707963267948966);
+        // slope of the potential energy of springs
+        let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * (φ2 + 1.5707963267948966);
+        let per_det_M = det_M.recip();
+        let ddM12_dφ1_dφ1 = -M12;
+        let M12_per_det_M = M12 * per_det_M;
+        let ddet_M_dφ2 = -(M12 * dM12_dφ2 * 2.0);
+        let t2 = per_det_M_squared * ddet_M_dφ2;
         // ── state ──
-        let t9 = (p.constant1 * t).sin();
+        let t3 = (p.constant1 * t).sin();
         let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
-        let h_left = dM_left_inner_left_dφ2 * dφ2_squared;
-        let t10 = dP_s_dφ1 + p.l_push * sin_φ1 * t9 + h_left;
+        let h1 = dM12_dφ2 * dφ2_squared;
+        let t4 = dP_s_dφ1 + p.l_push * sin_φ1 * t3 + h1;
         let dφ1_squared = dφ1 * dφ1;
-        let t11 = dP_s_dφ2 + p.l_push * sin_φ2 * t9
-            - dM_left_inner_left_dφ2 * dφ1_squared;
-        let t12 = p.C1 * t10 - M_left_inner_left * t11;
-        let dh_left_dφ1 = M_left_inner_left * dφ2_squared;
-        let t13 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ1 * t9 + dh_left_dφ1;
-        let dh_inner_left_dφ2 = M_left_inner_left * dφ1_squared;
-        let dh_inner_left_dφ1 = -dh_inner_left_dφ2;
-        let t14 = dM_left_inner_left_dφ1 * t11 - p.C1 * t13
-            + M_left_inner_left * dh_inner_left_dφ1;
-        let dddφ1_dφ1 = t2 * t12 + per_det_left_inner_left * t14;
-        let dh_inner_left_ddφ1 = -(C2_sin_φ1_minus_φ2 * dφ1);
-        let dddφ1_ddφ1 = t7 * dh_inner_left_ddφ1;
-        let dh_left_dφ2 = -dh_left_dφ1;
-        let t15 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ2 * t9 + dh_inner_left_dφ2;
-        let t16 = dM_left_inner_left_dφ2 * t11 - p.C1 * dh_left_dφ2
-            + M_left_inner_left * t15;
-        let dddφ1_dφ2 = t8 * t12 + per_det_left_inner_left * t16;
-        let dh_left_ddφ2 = C2_sin_φ1_minus_φ2 * dφ2;
-        let dddφ1_ddφ2 = -(p.C1 * per_det_left_inner_left * dh_left_ddφ2);
-        let t17 = p.C0 * t11 - M_left_inner_left * t10;
-        let t18 = dM_left_inner_left_dφ1 * t10 - p.C0 * dh_inner_left_dφ1
-            + M_left_inner_left * t13;
-        let dddφ2_dφ1 = t2 * t17 + per_det_left_inner_left * t18;
-        let dddφ2_ddφ1 = -(p.C0 * per_det_left_inner_left * dh_inner_left_ddφ1);
-        let t19 = dM_left_inner_left_dφ2 * t10 - p.C0 * t15
-            + M_left_inner_left * dh_left_dφ2;
-        let dddφ2_dφ2 = t8 * t17 + per_det_left_inner_left * t19;
-        let dddφ2_ddφ2 = t7 * dh_left_ddφ2;
+        // centrifugal and Coriolis terms
+        let h2 = dM12_dφ1 * dφ1_squared;
+        let t5 = dP_s_dφ2 + p.l_push * sin_φ2 * t3 + h2;
+        let t6 = p.C1 * t4 - M12 * t5;
+        let dh1_dφ1 = M12 * dφ2_squared;
+        let t7 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ1 * t3 + dh1_dφ1;
+        let dh2_dφ1 = ddM12_dφ1_dφ1 * dφ1_squared;
+        let dddφ1_dφ1 = t1 * t6
+            + per_det_M * (dM12_dφ1 * t5 - p.C1 * t7 + M12 * dh2_dφ1);
+        let dh2_ddφ1 = dM12_dφ1 * 2.0 * dφ1;
+        let dddφ1_ddφ1 = M12_per_det_M * dh2_ddφ1;
+        let dh1_dφ2 = ddM12_dφ1_dφ1 * dφ2_squared;
+        let dh2_dφ2 = M12 * dφ1_squared;
+        let t8 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ2 * t3 + dh2_dφ2;
+        let dddφ1_dφ2 = t2 * t6
+            + per_det_M * (dM12_dφ2 * t5 - p.C1 * dh1_dφ2 + M12 * t8);
+        let dh1_ddφ2 = dM12_dφ2 * 2.0 * dφ2;
+        let dddφ1_ddφ2 = -(p.C1 * per_det_M * dh1_ddφ2);
+        let t9 = p.C0 * t5 - M12 * t4;
+        let dddφ2_dφ1 = t1 * t9
+            + per_det_M * (dM12_dφ1 * t4 - p.C0 * dh2_dφ1 + M12 * t7);
+        let dddφ2_ddφ1 = -(p.C0 * per_det_M * dh2_ddφ1);
+        let dddφ2_dφ2 = t2 * t9
+            + per_det_M * (dM12_dφ2 * t4 - p.C0 * t8 + M12 * dh1_dφ2);
+        let dddφ2_ddφ2 = M12_per_det_M * dh1_ddφ2;
         result[1] = T::from_f64(1.0);
         result[4] = dddφ1_dφ1;
         result[5] = dddφ1_ddφ1;
@@ -468,22 +451,19 @@ pub mod double_parallelogram_stage {
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
-        let M_left_inner_left = p.half_C2 * cos_φ1_minus_φ2;
-        let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.half_k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0);
+        let M12 = p.half_C2 * cos_φ1_minus_φ2;
+        let t1 = φ1 - 1.5707963267948966;
         let t2 = T::from_f64(1.5707963267948966) - φ1;
-        let t3 = p.half_k * (t2 * t2);
-        let t4 = φ2 + 1.5707963267948966;
-        let t5 = p.half_k * (t4 * t4);
-        let t6 = T::from_f64(-1.5707963267948966) - φ2;
+        let t3 = φ2 + 1.5707963267948966;
+        let t4 = p.k * (t3 * t3);
         // ── state ──
-        let t7 = p.half_C0 * (dφ1 * dφ1) + p.half_C1 * (dφ2 * dφ2)
-            + M_left_inner_left * (dφ1 * dφ2);
-        let t8 = (p.constant1 * t).sin() * (p.l * sin_φ1 * dφ1 + p.l * sin_φ2 * dφ2);
-        result[0] = t7;
-        result[1] = t1 + t1 + t3 + t3 + t5 + t5 + p.half_k * (t6 * t6) + t5;
+        let t5 = p.half_C0 * (dφ1 * dφ1) + p.half_C1 * (dφ2 * dφ2)
+            + M12 * (dφ1 * dφ2);
+        let t6 = (p.constant1 * t).sin() * (p.l * sin_φ1 * dφ1 + p.l * sin_φ2 * dφ2);
+        result[0] = t5;
+        result[1] = p.k * (t1 * t1) + p.k * (t2 * t2) + t4 + t4;
         result[2] = T::from_f64(0.0);
-        result[3] = -(p.push * t8);
+        result[3] = -(p.push * t6);
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]
@@ -1053,8 +1033,7 @@ pub mod double_parallelogram_stage {
 ══════════════════════════
 
 A stage that hangs by two leaf springs from a frame that stands on two others: the stage's
-travel
-is straight to second order, because what the frame sinks the stage rises.
+travel is straight to second order, because what the frame sinks the stage rises.
 
 Leaves are pseudo-rigid links with a torsion spring at either end.
 
@@ -1082,22 +1061,32 @@ Constants of the inertia
 Equations of motion of `left`, `inner_left`
 ───────────────────────────────────────────
 
-  M_left_inner_left = ½ C2 cos(φ1 - φ2)
-  h_left       = ½ C2 φ̇2² sin(φ1 - φ2)
-  h_inner_left = ½ C2 φ̇1² sin(φ2 - φ1)
-  ∂P_s/∂φ1     = k (φ1 - φ1⁰)
-               + k (φ_right - φ_right⁰)
-               - k (φ_frame - φ_frame⁰ - φ1 + φ1⁰)
-               + k (φ_right - φ_right⁰ - (φ_frame - φ_frame⁰))
-  τ_1          = -l push sin(2 π f t) sin(φ1)
-  ∂P_s/∂φ2     = k (φ_inner_right - φ_inner_right⁰ - (φ_frame - φ_frame⁰))
-               - k (φ_frame - φ_frame⁰ - φ2 + φ2⁰)
-               - k (φ_stage - φ_stage⁰ - φ2 + φ2⁰)
-               + k (φ_inner_right - φ_inner_right⁰ - (φ_stage - φ_stage⁰))
-  τ_2          = -l push sin(2 π f t) sin(φ2)
+Coordinates:
 
-  C0 φ̈1 + M_left_inner_left φ̈2 + h_left + ∂P_s/∂φ1 = τ_1
-  M_left_inner_left φ̈1 + C1 φ̈2 + h_inner_left + ∂P_s/∂φ2 = τ_2
+  q = (φ1, φ2)
+
+Inertia:
+
+  M12      = ½ C2 cos(φ1 - φ2)
+  ∂M12/∂φ1 = ½ C2 sin(φ2 - φ1)
+  ∂M12/∂φ2 = ½ C2 sin(φ1 - φ2)
+  h1       = ∂M12/∂φ2 φ̇2²
+  h2       = ∂M12/∂φ1 φ̇1²
+
+Potential energy:
+
+  ∂P_s/∂φ1 = 4 k (φ1 - φ1⁰)
+  ∂P_s/∂φ2 = 4 k (φ2 - φ2⁰)
+
+Other forces:
+
+  τ1 = -l push sin(2 π f t) sin(φ1)
+  τ2 = -l push sin(2 π f t) sin(φ2)
+
+Balance:
+
+  C0 φ̈1 + M12 φ̈2 + h1 + ∂P_s/∂φ1 = τ1
+  M12 φ̈1 + C1 φ̈2 + h2 + ∂P_s/∂φ2 = τ2
 
 Constants
 ─────────
@@ -1116,8 +1105,6 @@ Constants
   I_inner_right = 1/12 ml l²   moment of inertia about the centre of mass of inner_right
   φ1⁰           = ½ π          angle of `left` as assembled
   φ2⁰           = -½ π         angle of `inner_left` as assembled
-  φ_frame - φ_frame⁰ = 0
-  φ_stage - φ_stage⁰ = 0
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -1156,22 +1143,31 @@ C_{2} &= 2 \, l \, \mathit{ml} \, r_{2} + 2 \, l \, \mathit{ml} \, r_{\mathrm{in
 \end{align*}
 
 \subsection*{Equations of motion of \texttt{left}, \texttt{inner\_left}}
+Coordinates:
 \begin{align*}
-M_{\mathrm{left},\mathrm{inner},\mathrm{left}} &= \frac{1}{2} \, C_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
-h_{\mathrm{left}} &= \frac{1}{2} \, C_{2} \, \dot{\varphi}_{2}^{2} \sin\left(\varphi_{1} - \varphi_{2}\right) \\
-h_{\mathrm{inner},\mathrm{left}} &= \frac{1}{2} \, C_{2} \, \dot{\varphi}_{1}^{2} \sin\left(\varphi_{2} - \varphi_{1}\right) \\
-\frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
+& q = \left(\varphi_{1},\, \varphi_{2}\right)
+\end{align*}
+Inertia:
+\begin{align*}
+M_{12} &= \frac{1}{2} \, C_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
+\frac{\partial M_{12}}{\partial \varphi_{1}} &= \frac{1}{2} \, C_{2} \sin\left(\varphi_{2} - \varphi_{1}\right) \\
+\frac{\partial M_{12}}{\partial \varphi_{2}} &= \frac{1}{2} \, C_{2} \sin\left(\varphi_{1} - \varphi_{2}\right) \\
+h_{1} &= \frac{\partial M_{12}}{\partial \varphi_{2}} \, \dot{\varphi}_{2}^{2} \\
+h_{2} &= \frac{\partial M_{12}}{\partial \varphi_{1}} \, \dot{\varphi}_{1}^{2}
+\end{align*}
+Potential energy:
+\begin{align*}
+\frac{\partial P_s}{\partial \varphi_{1}} &= 4 \, k \left(\varphi_{1} - \varphi_{1}^0\right) \\
+\frac{\partial P_s}{\partial \varphi_{2}} &= 4 \, k \left(\varphi_{2} - \varphi_{2}^0\right)
+\end{align*}
+Other forces:
+\begin{align*}
 \tau_{1} &= -l \, \mathit{push} \sin\left(2 \, \pi \, f \, t\right) \sin \varphi_{1} \\
-\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\varphi_{\mathrm{inner},\mathrm{right}} - \varphi_{\mathrm{inner},\mathrm{right}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{inner},\mathrm{right}} - \varphi_{\mathrm{inner},\mathrm{right}}^0 - \left(\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0\right)\right) \\
-\tau_{2} &= -l \, \mathit{push} \sin\left(2 \, \pi \, f \, t\right) \sin \varphi_{2} \\
-& C_{0}\,\ddot{\varphi}_{1} + M_{\mathrm{left},\mathrm{inner},\mathrm{left}}\,\ddot{\varphi}_{2} + h_{\mathrm{left}} + \frac{\partial P_s}{\partial \varphi_{1}} = \tau_{1} \\
-& M_{\mathrm{left},\mathrm{inner},\mathrm{left}}\,\ddot{\varphi}_{1} + C_{1}\,\ddot{\varphi}_{2} + h_{\mathrm{inner},\mathrm{left}} + \frac{\partial P_s}{\partial \varphi_{2}} = \tau_{2}
+\tau_{2} &= -l \, \mathit{push} \sin\left(2 \, \pi \, f \, t\right) \sin \varphi_{2}
+\end{align*}
+Balance:
+\begin{align*}
+& \begin{bmatrix} C_{0} & M_{12} \\[1ex] M_{12} & C_{1} \end{bmatrix} \begin{bmatrix} \ddot{\varphi}_{1} \\[1ex] \ddot{\varphi}_{2} \end{bmatrix} + \begin{bmatrix} h_{1} \\[1ex] h_{2} \end{bmatrix} + \begin{bmatrix} \frac{\partial P_s}{\partial \varphi_{1}} \\[1ex] \frac{\partial P_s}{\partial \varphi_{2}} \end{bmatrix} = \begin{bmatrix} \tau_{1} \\[1ex] \tau_{2} \end{bmatrix}
 \end{align*}
 
 \subsection*{Constants}
@@ -1188,9 +1184,7 @@ I_{2} &= \frac{1}{12} \, \mathit{ml} \, l^{2} && \text{moment of inertia about t
 r_{\mathrm{inner},\mathrm{right}} &= \frac{1}{2} \, l && \text{distance of the centre of mass from the first end of inner\_right} \\
 I_{\mathrm{inner},\mathrm{right}} &= \frac{1}{12} \, \mathit{ml} \, l^{2} && \text{moment of inertia about the centre of mass of inner\_right} \\
 \varphi_{1}^0 &= \frac{1}{2} \, \pi && \text{angle of \texttt{left} as assembled} \\
-\varphi_{2}^0 &= -\frac{1}{2} \, \pi && \text{angle of \texttt{inner\_left} as assembled} \\
-\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 &= 0 \\
-\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0 &= 0
+\varphi_{2}^0 &= -\frac{1}{2} \, \pi && \text{angle of \texttt{inner\_left} as assembled}
 \end{align*}
 
 \end{document}

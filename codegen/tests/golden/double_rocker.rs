@@ -293,8 +293,8 @@ pub mod double_rocker {
             let κ_0 = (t4 + D_0) * 0.5 / D_0;
             let Y_0_κ_0 = Y_0 * κ_0;
             // which way the loop closes: as drawn
-            let s = (X_0 / l3 - Y_0 / l2).if_positive(1.0, -1.0);
-            let η_0 = s * (-t2).sqrt() * 0.5 / D_0;
+            let ε = (X_0 / l3 - Y_0 / l2).if_positive(1.0, -1.0);
+            let η_0 = ε * (-t2).sqrt() * 0.5 / D_0;
             let X_0_η_0 = X_0 * η_0;
             let s3_0 = (Y_0_κ_0 + t1 + X_0_η_0) / l3;
             let X_0_κ_0 = X_0 * κ_0;
@@ -467,7 +467,7 @@ pub mod double_rocker {
                 constant1: t4,
                 l2_minus_l3_squared,
                 l2_plus_l3_squared,
-                half_s: s * 0.5,
+                half_ε: ε * 0.5,
                 per_l2: l2.recip(),
                 per_l3: l3.recip(),
                 l1_per_l2: l1 / l2,
@@ -570,8 +570,8 @@ pub mod double_rocker {
         pub l2_minus_l3_squared: T,
         /// `(l2 + l3) * (l2 + l3)`
         pub l2_plus_l3_squared: T,
-        /// `0.5 * s`
-        pub half_s: T,
+        /// `0.5 * ε`
+        pub half_ε: T,
         /// `1.0 / l2`
         pub per_l2: T,
         /// `1.0 / l3`
@@ -697,7 +697,7 @@ pub mod double_rocker {
                 constant1: turn(self.constant1),
                 l2_minus_l3_squared: turn(self.l2_minus_l3_squared),
                 l2_plus_l3_squared: turn(self.l2_plus_l3_squared),
-                half_s: turn(self.half_s),
+                half_ε: turn(self.half_ε),
                 per_l2: turn(self.per_l2),
                 per_l3: turn(self.per_l3),
                 l1_per_l2: turn(self.l1_per_l2),
@@ -784,7 +784,7 @@ pub mod double_rocker {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -818,14 +818,14 @@ pub mod double_rocker {
         // angle of `rocker` from the assembled one
         let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
         let t10 = p.k * t5 + p.k * t7 + p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
         let t11 = l1_cos_φ1 + p.r2 * (ω2 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
         let t12 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t11;
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t12 + p.m3_r3 * (ω3 * (p.cos_beta3 * c3 - p.sin_beta3 * s3)))
             * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         // displacement of `A`
         let x_A = p.la
@@ -845,7 +845,7 @@ pub mod double_rocker {
         let t16 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * t4);
         let t17 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t16 - p.C3 * (ω2 * ω2_minus_one * t17);
         // ── state ──
         // slip velocity of `tip`
@@ -913,7 +913,7 @@ pub mod double_rocker {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -952,7 +952,7 @@ pub mod double_rocker {
         let t8 = p.two_C1 * ω2_ω2_prime + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * t4);
         let t9 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t8 - p.C3 * (ω2 * ω2_minus_one * t9);
         let t10 = φ1 - 1.3962634015954636;
         let t11 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
@@ -963,16 +963,16 @@ pub mod double_rocker {
         // angle of `rocker` from the assembled one
         let φ3_minus_φ3_0 = t13.unwrap_to(turn_rocker);
         let t14 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = p.k * t10 + p.k * (ω2_minus_one * t12) + p.k * (t5 * t14)
             + p.k * (φ3_minus_φ3_0 * ω3);
         let t15 = p.cos_beta2 * c2 - p.sin_beta2 * s2;
         let t16 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1)
             + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * t15));
         let t17 = p.cos_beta3 * c3 - p.sin_beta3 * s3;
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t16 + p.m3_r3 * (ω3 * t17)) * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         // displacement of `A`
         let x_A = p.la
@@ -1128,7 +1128,7 @@ pub mod double_rocker {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -1195,7 +1195,7 @@ pub mod double_rocker {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -1326,7 +1326,7 @@ pub mod double_rocker {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -2195,13 +2195,14 @@ Loop crank–coupler–rocker
   Y  = -l1 sin(φ1)
   D  = X² + Y²
   κ  = (l2² - l3² + D) / (2 D)
-  η  = s sqrt((D - (l2 - l3)²) ((l2 + l3)² - D)) / (2 D)
+  η  = ε sqrt((D - (l2 - l3)²) ((l2 + l3)² - D)) / (2 D)
   c2 = (X κ - Y η) / l2
   s2 = (Y κ + X η) / l2
   c3 = -(X - X κ + Y η) / l3
   s3 = (Y κ - Y + X η) / l3
 
   φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
+  ω2 = dφ2/dφ1, ω3 = dφ3/dφ1, ' = d/dφ1
 
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
@@ -2238,11 +2239,16 @@ Named forces
 Equation of motion of `crank`
 ─────────────────────────────
 
-  A(φ1)    = C0 + C1 ω2² + C2 ω3² + C3 ω2 cos(φ2 - φ1 + beta2)
-  ∂A/∂φ1   = 2 C1 ω2 ω2'
-           + 2 C2 ω3 ω3'
-           + C3 ω2' cos(φ2 - φ1 + beta2)
-           + C3 ω2 (1 - ω2) sin(φ2 - φ1 + beta2)
+Inertia:
+
+  A(φ1)  = C0 + C1 ω2² + C2 ω3² + C3 ω2 cos(φ2 - φ1 + beta2)
+  ∂A/∂φ1 = 2 C1 ω2 ω2'
+         + 2 C2 ω3 ω3'
+         + C3 ω2' cos(φ2 - φ1 + beta2)
+         + C3 ω2 (1 - ω2) sin(φ2 - φ1 + beta2)
+
+Potential energy:
+
   ∂P_s/∂φ1 = k (φ1 - φ1⁰)
            + k (ω2 - 1) (φ2 - φ2⁰ - φ1 + φ1⁰)
            + k (ω2 - ω3) (φ2 - φ2⁰ - (φ3 - φ3⁰))
@@ -2250,9 +2256,12 @@ Equation of motion of `crank`
   ∂P_g/∂φ1 = g (m1 r1 cos(φ1 + beta1) + m2 (l1 cos(φ1) + r2 ω2 cos(φ2 + beta2))
                + m3 r3 ω3 cos(φ3 + beta3))
   ∂P/∂φ1   = ∂P_s/∂φ1 + ∂P_g/∂φ1
-  τ        = la F_joint sin(φ1)
-           - F_N (l1 cos(φ1) + ln ω2 cos(φ2))
-           - F_f (l1 sin(φ1) + ln ω2 sin(φ2))
+
+Other forces:
+
+  τ = la F_joint sin(φ1) - F_N (l1 cos(φ1) + ln ω2 cos(φ2)) - F_f (l1 sin(φ1) + ln ω2 sin(φ2))
+
+Balance:
 
   A(φ1) φ̈1 + ½ ∂A/∂φ1 φ̇1² + ∂P/∂φ1 = τ
 
@@ -2273,18 +2282,17 @@ Constants
 
   k   = 2 E b e^(5/2) / (9 π sqrt(r))
         stiffness of a hinge
-  r1  = ½ l1                 distance of the centre of mass from the first end of crank
-  I1  = 1/12 m1 (l1² + h²)   moment of inertia about the centre of mass of crank
-  r2  = ½ l2                 distance of the centre of mass from the first end of coupler
-  I2  = 1/12 m2 (h² + l2²)   moment of inertia about the centre of mass of coupler
-  r3  = ½ l3                 distance of the centre of mass from the first end of rocker
-  I3  = 1/12 m3 (h² + l3²)   moment of inertia about the centre of mass of rocker
-  φ1⁰ = 4/9 π                angle of `crank` as assembled
-  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
-        which way the loop closes: as drawn
-  X⁰  = l4 - l1 cos(φ1⁰)
-  Y⁰  = -l1 sin(φ1⁰)
-  g   = 9.81                 acceleration of gravity
+  r1  = ½ l1                  distance of the centre of mass from the first end of crank
+  I1  = 1/12 m1 (l1² + h²)    moment of inertia about the centre of mass of crank
+  r2  = ½ l2                  distance of the centre of mass from the first end of coupler
+  I2  = 1/12 m2 (h² + l2²)    moment of inertia about the centre of mass of coupler
+  r3  = ½ l3                  distance of the centre of mass from the first end of rocker
+  I3  = 1/12 m3 (h² + l3²)    moment of inertia about the centre of mass of rocker
+  φ1⁰ = 4/9 π                 angle of `crank` as assembled
+  ε   = sign(X⁰/l3 - Y⁰/l2)   which way the loop closes: as drawn
+  g   = 9.81                  acceleration of gravity
+
+  φ2⁰, φ3⁰, X⁰, Y⁰: by the formulas of the loops, at φ1 = φ1⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -2315,12 +2323,13 @@ X &= l_{4} - l_{1} \cos \varphi_{1} \\
 Y &= -l_{1} \sin \varphi_{1} \\
 D &= X^{2} + Y^{2} \\
 \kappa &= \frac{l_{2}^{2} - l_{3}^{2} + D}{2 \, D} \\
-\eta &= \frac{s}{2 \, D} \, \sqrt{\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D\right)} \\
+\eta &= \frac{\varepsilon}{2 \, D} \, \sqrt{\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D\right)} \\
 \cos \varphi_{2} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
 \sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
 & \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{2} = \frac{\mathrm d\varphi_{2}}{\mathrm d\varphi_{1}},\quad \omega_{3} = \frac{\mathrm d\varphi_{3}}{\mathrm d\varphi_{1}},\quad {}' = \frac{\mathrm d}{\mathrm d\varphi_{1}} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
@@ -2355,21 +2364,31 @@ F_{f} &= \sigma_{0} \, z + \sigma_{1} \, \dot{z} + \sigma_{2} \, v
 \end{align*}
 
 \subsection*{Equation of motion of \texttt{crank}}
+Inertia:
 \begin{align*}
 A(\varphi_{1}) &= C_{0} + C_{1} \, \omega_{2}^{2} + C_{2} \, \omega_{3}^{2} + C_{3} \, \omega_{2} \cos\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
 \frac{\partial A}{\partial \varphi_{1}} &= 2 \, C_{1} \, \omega_{2} \, \omega'_{2} \\
 &\quad {}+ 2 \, C_{2} \, \omega_{3} \, \omega'_{3} \\
 &\quad {}+ C_{3} \, \omega'_{2} \cos\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
-&\quad {}+ C_{3} \, \omega_{2} \left(1 - \omega_{2}\right) \sin\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right) \\
+&\quad {}+ C_{3} \, \omega_{2} \left(1 - \omega_{2}\right) \sin\left(\varphi_{2} - \varphi_{1} + \beta_{2}\right)
+\end{align*}
+Potential energy:
+\begin{align*}
 \frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - \omega_{3}\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{3} - \varphi_{3}^0\right)\right) \\
 &\quad {}+ k \, \omega_{3} \left(\varphi_{3} - \varphi_{3}^0\right) \\
 \frac{\partial P_g}{\partial \varphi_{1}} &= g \left(m_{1} \, r_{1} \cos\left(\varphi_{1} + \beta_{1}\right) + m_{2} \left(l_{1} \cos \varphi_{1} + r_{2} \, \omega_{2} \cos\left(\varphi_{2} + \beta_{2}\right)\right) + m_{3} \, r_{3} \, \omega_{3} \cos\left(\varphi_{3} + \beta_{3}\right)\right) \\
-\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}} \\
+\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}}
+\end{align*}
+Other forces:
+\begin{align*}
 \tau &= \mathit{la} \, F_{\mathrm{joint}} \sin \varphi_{1} \\
 &\quad {}- F_N \left(l_{1} \cos \varphi_{1} + \mathit{ln} \, \omega_{2} \cos \varphi_{2}\right) \\
-&\quad {}- F_{f} \left(l_{1} \sin \varphi_{1} + \mathit{ln} \, \omega_{2} \sin \varphi_{2}\right) \\
+&\quad {}- F_{f} \left(l_{1} \sin \varphi_{1} + \mathit{ln} \, \omega_{2} \sin \varphi_{2}\right)
+\end{align*}
+Balance:
+\begin{align*}
 & A(\varphi_{1})\,\ddot{\varphi}_{1} + \tfrac12 \frac{\partial A}{\partial \varphi_{1}}\,\dot{\varphi}_{1}^2 + \frac{\partial P}{\partial \varphi_{1}} = \tau
 \end{align*}
 
@@ -2394,10 +2413,9 @@ I_{2} &= \frac{1}{12} \, m_{2} \left(h^{2} + l_{2}^{2}\right) && \text{moment of
 r_{3} &= \frac{1}{2} \, l_{3} && \text{distance of the centre of mass from the first end of rocker} \\
 I_{3} &= \frac{1}{12} \, m_{3} \left(h^{2} + l_{3}^{2}\right) && \text{moment of inertia about the centre of mass of rocker} \\
 \varphi_{1}^0 &= \frac{4}{9} \, \pi && \text{angle of \texttt{crank} as assembled} \\
-s &= \begin{cases} 1 & \text{if } \frac{{X}^0}{l_{3}} > \frac{{Y}^0}{l_{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X}^0 &= l_{4} - l_{1} \cos \varphi_{1}^0 \\
-{Y}^0 &= -l_{1} \sin \varphi_{1}^0 \\
-g &= 9.81 && \text{acceleration of gravity}
+\varepsilon &= \operatorname{sgn}\left(\frac{{X}^0}{l_{3}} - \frac{{Y}^0}{l_{2}}\right) && \text{which way the loop closes: as drawn} \\
+g &= 9.81 && \text{acceleration of gravity} \\
+& \varphi_{2}^0,\, \varphi_{3}^0,\, {X}^0,\, {Y}^0: \text{ by the formulas of the loops, at } \varphi_{1} = \varphi_{1}^0
 \end{align*}
 
 \end{document}

@@ -139,18 +139,17 @@ pub mod five_bar {
             let C2 = C3 + l2_squared * mt;
             let l1_squared_C2 = l1_squared * C2;
             let half_Y_0 = Y_0 * 0.5;
-            let l2_X_0 = l2 * X_0;
-            let t3 = l2 * Y_0 * 0.9063077870366499;
-            let t4 = (l2_X_0 * 0.42261826174069944 - t3) / l2_squared
-                + (l2_X_0 * 0.4226182617406995 + t3) / l2_squared;
+            let t3 = Y_0 * 0.9063077870366499;
+            let t4 = (X_0 * 0.42261826174069944 - t3) / l2
+                + (X_0 * 0.4226182617406995 + t3) / l2;
             // which way the loop closes: as drawn
-            let s = t4.if_positive(1.0, -1.0);
-            let η_0 = s * t1.sqrt() * 0.5 / D_0;
+            let ε = t4.if_positive(1.0, -1.0);
+            let η_0 = ε * t1.sqrt() * 0.5 / D_0;
             let X_0_η_0 = X_0 * η_0;
-            let s4_0 = (half_Y_0 - Y_0 + X_0_η_0) / l2;
+            let s4_0 = -((half_Y_0 - X_0_η_0) / l2);
             let half_X_0 = X_0 * 0.5;
             let Y_0_η_0 = Y_0 * η_0;
-            let c4_0 = -((X_0 - half_X_0 + Y_0_η_0) / l2);
+            let c4_0 = -((half_X_0 + Y_0_η_0) / l2);
             // angle of `right_coupler` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(2.705260340591211);
             let t5 = (2.0943951023931953 - φ4_0).sin();
@@ -266,7 +265,7 @@ pub mod five_bar {
                 C1,
                 C0,
                 _4_l2_squared,
-                half_s: s * 0.5,
+                half_ε: ε * 0.5,
                 per_l2: l2.recip(),
                 l1_per_l2: l1 / l2,
                 C3,
@@ -283,8 +282,8 @@ pub mod five_bar {
                 two_C2: C2 * 2.0,
                 two_C3: C3 * 2.0,
                 two_C4: C4 * 2.0,
-                _3_C5: C5 * 3.0,
                 two_C5: C5 * 2.0,
+                _3_C5: C5 * 3.0,
                 _3_C4: C4 * 3.0,
                 half_k: k * 0.5,
                 constant2: 0.25 / l2_squared_squared,
@@ -321,8 +320,8 @@ pub mod five_bar {
         pub C0: T,
         /// `4.0 * l2 * l2`
         pub _4_l2_squared: T,
-        /// `0.5 * s`
-        pub half_s: T,
+        /// `0.5 * ε`
+        pub half_ε: T,
         /// `1.0 / l2`
         pub per_l2: T,
         /// `l1 / l2`
@@ -355,10 +354,10 @@ pub mod five_bar {
         pub two_C3: T,
         /// `2.0 * C4`
         pub two_C4: T,
-        /// `3.0 * C5`
-        pub _3_C5: T,
         /// `2.0 * C5`
         pub two_C5: T,
+        /// `3.0 * C5`
+        pub _3_C5: T,
         /// `3.0 * C4`
         pub _3_C4: T,
         /// `0.5 * k`
@@ -382,7 +381,7 @@ pub mod five_bar {
                 C1: turn(self.C1),
                 C0: turn(self.C0),
                 _4_l2_squared: turn(self._4_l2_squared),
-                half_s: turn(self.half_s),
+                half_ε: turn(self.half_ε),
                 per_l2: turn(self.per_l2),
                 l1_per_l2: turn(self.l1_per_l2),
                 C3: turn(self.C3),
@@ -399,8 +398,8 @@ pub mod five_bar {
                 two_C2: turn(self.two_C2),
                 two_C3: turn(self.two_C3),
                 two_C4: turn(self.two_C4),
-                _3_C5: turn(self._3_C5),
                 two_C5: turn(self.two_C5),
+                _3_C5: turn(self._3_C5),
                 _3_C4: turn(self._3_C4),
                 half_k: turn(self.half_k),
                 constant2: turn(self.constant2),
@@ -432,173 +431,157 @@ pub mod five_bar {
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
-        let η = p.half_s * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
+        let η = p.half_ε * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
         let X_η = X * η;
         let s3 = p.per_l2 * (half_Y + X_η);
         let half_X = X * 0.5;
         let Y_η = Y * η;
-        let c4 = -(p.per_l2 * (X - half_X + Y_η));
+        let c4 = -(p.per_l2 * (half_X + Y_η));
         let c3 = p.per_l2 * (half_X - Y_η);
-        let s4 = p.per_l2 * (half_Y - Y + X_η);
+        let s4 = -(p.per_l2 * (half_Y - X_η));
         let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         let per_sin_φ3_minus_φ4 = sin_φ3_minus_φ4.recip();
         let sin_φ1_minus_φ4 = sin_φ1 * c4 - cos_φ1 * s4;
         let t1 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ1_minus_φ4);
         // rate of the angle of `left_coupler` per unit rate of `left_crank`
-        let ω3_left_crank = -t1;
+        let ω3_1 = -t1;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         let t2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ1_minus_φ3);
         // rate of the angle of `right_coupler` per unit rate of `left_crank`
-        let ω4_left_crank = -t2;
-        let ω4_left_crank_squared = ω4_left_crank * ω4_left_crank;
-        let t3 = p.C0 + p.C2 * (ω3_left_crank * ω3_left_crank)
-            + p.C3 * ω4_left_crank_squared;
+        let ω4_1 = -t2;
+        let ω4_1_squared = ω4_1 * ω4_1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         // inertia
-        let M_left_crank = t3 + p.C4 * (ω3_left_crank * cos_φ1_minus_φ3);
+        let M11 = p.C0 + p.C2 * (ω3_1 * ω3_1) + p.C3 * ω4_1_squared
+            + p.C4 * (ω3_1 * cos_φ1_minus_φ3);
         let sin_φ2_minus_φ4 = sin_φ2 * c4 - cos_φ2 * s4;
         // rate of the angle of `left_coupler` per unit rate of `right_crank`
-        let ω3_right_crank = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ4);
-        let ω3_right_crank_squared = ω3_right_crank * ω3_right_crank;
+        let ω3_2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ4);
+        let ω3_2_squared = ω3_2 * ω3_2;
         let sin_φ2_minus_φ3 = sin_φ2 * c3 - cos_φ2 * s3;
         // rate of the angle of `right_coupler` per unit rate of `right_crank`
-        let ω4_right_crank = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ3);
-        let t4 = p.C1 + p.C2 * ω3_right_crank_squared
-            + p.C3 * (ω4_right_crank * ω4_right_crank);
+        let ω4_2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ3);
         let cos_φ2_minus_φ4 = cos_φ2 * c4 + sin_φ2 * s4;
         // inertia
-        let M_right_crank = t4 + p.C5 * (ω4_right_crank * cos_φ2_minus_φ4);
-        let t5 = p.C2 * (ω3_left_crank * ω3_right_crank)
-            + p.C3 * (ω4_left_crank * ω4_right_crank);
-        let t6 = ω3_right_crank * cos_φ1_minus_φ3;
-        let t7 = ω4_left_crank * cos_φ2_minus_φ4;
+        let M22 = p.C1 + p.C2 * ω3_2_squared + p.C3 * (ω4_2 * ω4_2)
+            + p.C5 * (ω4_2 * cos_φ2_minus_φ4);
+        let ω3_2_cos_φ1_minus_φ3 = ω3_2 * cos_φ1_minus_φ3;
+        let t3 = p.C2 * (ω3_1 * ω3_2) + p.C3 * (ω4_1 * ω4_2)
+            + p.half_C4 * ω3_2_cos_φ1_minus_φ3;
+        let ω4_1_cos_φ2_minus_φ4 = ω4_1 * cos_φ2_minus_φ4;
         // inertia
-        let M_left_crank_right_crank = t5 + p.half_C4 * t6 + p.half_C5 * t7;
+        let M12 = t3 + p.half_C5 * ω4_1_cos_φ2_minus_φ4;
         // determinant of the inertia
-        let t8 = M_left_crank * M_right_crank
-            - M_left_crank_right_crank * M_left_crank_right_crank;
-        let t9 = t8.recip();
-        let ω3_left_crank_minus_one = ω3_left_crank - 1.0;
-        let t10 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let det_M = M11 * M22 - M12 * M12;
+        let per_det_M = det_M.recip();
+        let ω3_1_minus_one = ω3_1 - 1.0;
+        let t4 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `left_coupler` from the assembled one
-        let φ3_minus_φ3_0 = t10.unwrap_to(turn_left_coupler);
-        let t11 = T::from_f64(2.0943951023931953) - φ1 + φ3_minus_φ3_0;
-        let t12 = p.k * (φ1 - 2.0943951023931953)
-            + p.k * (ω3_left_crank_minus_one * t11);
-        let t13 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_left_coupler);
+        let t5 = T::from_f64(2.0943951023931953) - φ1 + φ3_minus_φ3_0;
+        let t6 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `right_coupler` from the assembled one
-        let φ4_minus_φ4_0 = t13.unwrap_to(turn_right_coupler);
-        let t14 = T::from_f64(1.0471975511965976) - φ2 + φ4_minus_φ4_0;
-        let t15 = t2 - t1;
-        let t16 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
-        // springs
-        let dP_s_dφ1 = t12 + p.k * (ω4_left_crank * t14) + p.k * (t15 * t16);
-        let ω4_right_crank_minus_one = ω4_right_crank - 1.0;
-        let t17 = ω3_right_crank - ω4_right_crank;
+        let φ4_minus_φ4_0 = t6.unwrap_to(turn_right_coupler);
+        let t7 = T::from_f64(1.0471975511965976) - φ2 + φ4_minus_φ4_0;
+        let t8 = p.k * (φ1 - 2.0943951023931953) + p.k * (ω3_1_minus_one * t5)
+            + p.k * (ω4_1 * t7);
+        let t9 = t2 - t1;
+        let t10 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = t8 + p.k * (t9 * t10);
+        let ω4_2_minus_one = ω4_2 - 1.0;
+        let ω3_2_minus_ω4_2 = ω3_2 - ω4_2;
         let cos_φ1_minus_φ4 = cos_φ1 * c4 + sin_φ1 * s4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
-        let t18 = p.l1 * (ω4_right_crank * cos_φ1_minus_φ4)
-            - p.l2 * (ω3_left_crank * cos_φ3_minus_φ4 * t17);
-        let dω3_left_crank_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t18);
-        let t19 = per_sin_φ3_minus_φ4
-            * (p.l1 * t6 - p.l2 * (ω4_left_crank * cos_φ3_minus_φ4 * t17));
-        let dω4_left_crank_dφ2 = p.per_l2 * t19;
-        let t20 = p.two_C2 * (ω3_left_crank * dω3_left_crank_dφ2)
-            + p.two_C3 * (ω4_left_crank * dω4_left_crank_dφ2);
-        let t21 = sin_φ1_minus_φ3 * ω3_left_crank;
-        let dM_left_crank_dφ2 = t20 + p.C4 * (dω3_left_crank_dφ2 * cos_φ1_minus_φ3)
-            + p.C4 * (t21 * ω3_right_crank);
-        let t22 = p.l1 * (cos_φ1_minus_φ4 * (ω4_left_crank - 1.0))
-            - p.l2 * (ω3_left_crank * t15 * cos_φ3_minus_φ4);
-        let dω3_left_crank_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t22);
-        let t23 = p.C2 * (ω3_right_crank * dω3_left_crank_dφ1);
-        let t24 = per_sin_φ3_minus_φ4
-            * (p.l1 * t7 + p.l2 * (ω3_right_crank * t15 * cos_φ3_minus_φ4));
-        let dω3_right_crank_dφ1 = -(p.per_l2 * t24);
-        let t25 = p.C2 * (ω3_left_crank * dω3_right_crank_dφ1);
-        let t26 = p.l1 * (cos_φ1_minus_φ3 * ω3_left_crank_minus_one)
-            - p.l2 * (ω4_left_crank * t15 * cos_φ3_minus_φ4);
-        let dω4_left_crank_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t26);
-        let t27 = p.C3 * (ω4_right_crank * dω4_left_crank_dφ1);
+        let t11 = p.l1 * (ω4_2 * cos_φ1_minus_φ4)
+            - p.l2 * (ω3_1 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let dω3_1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t11);
+        let t12 = p.l1 * ω3_2_cos_φ1_minus_φ3
+            - p.l2 * (ω4_1 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let dω4_1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t12);
+        let t13 = p.two_C2 * (ω3_1 * dω3_1_dφ2) + p.two_C3 * (ω4_1 * dω4_1_dφ2)
+            + p.C4 * (dω3_1_dφ2 * cos_φ1_minus_φ3);
+        let sin_φ1_minus_φ3_ω3_1 = sin_φ1_minus_φ3 * ω3_1;
+        // slope of the inertia
+        let dM11_dφ2 = t13 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_2);
+        let t14 = p.l1 * (cos_φ1_minus_φ4 * (ω4_1 - 1.0))
+            - p.l2 * (ω3_1 * t9 * cos_φ3_minus_φ4);
+        let dω3_1_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t14);
+        let t15 = p.l1 * (cos_φ1_minus_φ3 * ω3_1_minus_one)
+            - p.l2 * (ω4_1 * t9 * cos_φ3_minus_φ4);
+        let dω4_1_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t15);
+        let t16 = p.two_C2 * (ω3_1 * dω3_1_dφ1) + p.two_C3 * (ω4_1 * dω4_1_dφ1)
+            + p.C4 * (dω3_1_dφ1 * cos_φ1_minus_φ3);
+        // slope of the inertia
+        let dM11_dφ1 = t16 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_1_minus_one);
+        let t17 = p.l1 * ω4_1_cos_φ2_minus_φ4
+            + p.l2 * (ω3_2 * t9 * cos_φ3_minus_φ4);
+        let dω3_2_dφ1 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t17));
         let cos_φ2_minus_φ3 = cos_φ2 * c3 + sin_φ2 * s3;
-        let t28 = p.l1 * (ω3_left_crank * cos_φ2_minus_φ3)
-            + p.l2 * (ω4_right_crank * t15 * cos_φ3_minus_φ4);
-        let dω4_right_crank_dφ1 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t28));
-        let t29 = p.C3 * (ω4_left_crank * dω4_right_crank_dφ1);
-        let t30 = p.C4
-            * (sin_φ1_minus_φ3 * ω3_right_crank * ω3_left_crank_minus_one);
-        let t31 = (p.C4 * (cos_φ1_minus_φ3 * dω3_right_crank_dφ1) + t30) * 0.5;
-        let t32 = p.C5 * (dω4_left_crank_dφ1 * cos_φ2_minus_φ4)
-            + p.C5 * (ω4_left_crank_squared * sin_φ2_minus_φ4);
-        let t33 = t32 * 0.5;
-        let t34 = t23 + t25 + t27 + t29 + t31 + t33;
-        let t35 = t34 * 0.5;
-        let t36 = p.l1 * (cos_φ2_minus_φ4 * ω4_right_crank_minus_one)
-            + p.l2 * (ω3_right_crank * cos_φ3_minus_φ4 * t17);
-        let dω3_right_crank_dφ2 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t36));
-        let t37 = p.C2 * (ω3_right_crank * dω3_left_crank_dφ2)
-            + p.C2 * (ω3_left_crank * dω3_right_crank_dφ2);
-        let t38 = p.l1 * (cos_φ2_minus_φ3 * (ω3_right_crank - 1.0))
-            + p.l2 * (ω4_right_crank * cos_φ3_minus_φ4 * t17);
-        let dω4_right_crank_dφ2 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t38));
-        let t39 = t37 + p.C3 * (ω4_right_crank * dω4_left_crank_dφ2)
-            + p.C3 * (ω4_left_crank * dω4_right_crank_dφ2);
-        let t40 = p.C4 * (cos_φ1_minus_φ3 * dω3_right_crank_dφ2)
-            + p.C4 * (sin_φ1_minus_φ3 * ω3_right_crank_squared);
-        let t41 = ω4_left_crank * sin_φ2_minus_φ4;
-        let t42 = p.C5 * (dω4_left_crank_dφ2 * cos_φ2_minus_φ4)
-            + p.C5 * (t41 * ω4_right_crank_minus_one);
-        let t43 = t39 + t40 * 0.5 + t42 * 0.5;
-        let t44 = p.two_C2 * (ω3_right_crank * dω3_right_crank_dφ1);
-        let t45 = p.two_C3 * (ω4_right_crank * dω4_right_crank_dφ1);
-        let t46 = p.C5 * (cos_φ2_minus_φ4 * dω4_right_crank_dφ1);
-        let t47 = p.C5 * (t41 * ω4_right_crank);
-        let dM_right_crank_dφ1 = t44 + t45 + t46 + t47;
-        let t48 = p.two_C2 * (ω3_left_crank * dω3_left_crank_dφ1)
-            + p.two_C3 * (ω4_left_crank * dω4_left_crank_dφ1);
-        let dM_left_crank_dφ1 = t48 + p.C4 * (dω3_left_crank_dφ1 * cos_φ1_minus_φ3)
-            + p.C4 * (t21 * ω3_left_crank_minus_one);
-        let t49 = p.k * (φ2 - 1.0471975511965976) + p.k * (ω3_right_crank * t11)
-            + p.k * (ω4_right_crank_minus_one * t14);
-        // springs
-        let dP_s_dφ2 = t49 + p.k * (t17 * t16);
-        let t50 = t43 * 0.5;
-        let t51 = p.two_C2 * (ω3_right_crank * dω3_right_crank_dφ2)
-            + p.two_C3 * (ω4_right_crank * dω4_right_crank_dφ2);
-        let t52 = p.C5
-            * (sin_φ2_minus_φ4 * ω4_right_crank * ω4_right_crank_minus_one);
-        let dM_right_crank_dφ2 = t51
-            + p.C5 * (cos_φ2_minus_φ4 * dω4_right_crank_dφ2) + t52;
+        let t18 = p.l1 * (ω3_1 * cos_φ2_minus_φ3)
+            + p.l2 * (ω4_2 * t9 * cos_φ3_minus_φ4);
+        let dω4_2_dφ1 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t18));
+        let t19 = p.two_C2 * (ω3_2 * dω3_2_dφ1) + p.two_C3 * (ω4_2 * dω4_2_dφ1)
+            + p.C5 * (cos_φ2_minus_φ4 * dω4_2_dφ1);
+        let ω4_1_sin_φ2_minus_φ4 = ω4_1 * sin_φ2_minus_φ4;
+        // slope of the inertia
+        let dM22_dφ1 = t19 + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2);
+        let t20 = p.l1 * (cos_φ2_minus_φ4 * ω4_2_minus_one)
+            + p.l2 * (ω3_2 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let dω3_2_dφ2 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t20));
+        let t21 = p.C2 * (ω3_2 * dω3_1_dφ2) + p.C2 * (ω3_1 * dω3_2_dφ2)
+            + p.C3 * (ω4_2 * dω4_1_dφ2);
+        let t22 = p.l1 * (cos_φ2_minus_φ3 * (ω3_2 - 1.0))
+            + p.l2 * (ω4_2 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let dω4_2_dφ2 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t22));
+        let t23 = p.C4 * (cos_φ1_minus_φ3 * dω3_2_dφ2)
+            + p.C4 * (sin_φ1_minus_φ3 * ω3_2_squared);
+        let t24 = p.C5 * (dω4_1_dφ2 * cos_φ2_minus_φ4)
+            + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2_minus_one);
+        // slope of the inertia
+        let dM12_dφ2 = t21 + p.C3 * (ω4_1 * dω4_2_dφ2) + t23 * 0.5 + t24 * 0.5;
+        let t25 = p.k * (φ2 - 1.0471975511965976) + p.k * (ω3_2 * t5)
+            + p.k * (ω4_2_minus_one * t7);
+        // slope of the potential energy of springs
+        let dP_s_dφ2 = t25 + p.k * (ω3_2_minus_ω4_2 * t10);
+        let t26 = p.C2 * (ω3_2 * dω3_1_dφ1) + p.C2 * (ω3_1 * dω3_2_dφ1)
+            + p.C3 * (ω4_2 * dω4_1_dφ1);
+        let t27 = p.C4 * (cos_φ1_minus_φ3 * dω3_2_dφ1)
+            + p.C4 * (sin_φ1_minus_φ3 * ω3_2 * ω3_1_minus_one);
+        let t28 = p.C5 * (dω4_1_dφ1 * cos_φ2_minus_φ4)
+            + p.C5 * (ω4_1_squared * sin_φ2_minus_φ4);
+        // slope of the inertia
+        let dM12_dφ1 = t26 + p.C3 * (ω4_1 * dω4_2_dφ1) + t27 * 0.5 + t28 * 0.5;
+        let t29 = p.two_C2 * (ω3_2 * dω3_2_dφ2) + p.two_C3 * (ω4_2 * dω4_2_dφ2)
+            + p.C5 * (cos_φ2_minus_φ4 * dω4_2_dφ2);
+        // slope of the inertia
+        let dM22_dφ2 = t29 + p.C5 * (sin_φ2_minus_φ4 * ω4_2 * ω4_2_minus_one);
         // ── state ──
-        let t53 = p.constant1 * t;
-        let (t54, t55) = t53.sin_cos();
-        let t56 = ω3_left_crank_minus_one * dφ1 + ω3_right_crank * dφ2;
-        let t57 = p.left_torque * t54 - p.c * dφ1
-            - p.c * ω3_left_crank_minus_one * t56;
-        let t58 = ω4_left_crank * dφ1 + ω4_right_crank_minus_one * dφ2;
-        let t59 = t15 * dφ1 + t17 * dφ2;
+        let t30 = p.constant1 * t;
+        let (t31, t32) = t30.sin_cos();
+        let t33 = ω3_1_minus_one * dφ1 + ω3_2 * dφ2;
+        let t34 = p.left_torque * t31 - p.c * dφ1 - p.c * ω3_1_minus_one * t33;
+        let t35 = ω4_1 * dφ1 + ω4_2_minus_one * dφ2;
+        let t36 = t9 * dφ1 + ω3_2_minus_ω4_2 * dφ2;
         // generalized torque of all other forces
-        let τ_1 = t57 - p.c * ω4_left_crank * t58 - p.c * t15 * t59;
+        let τ1 = t34 - p.c * ω4_1 * t35 - p.c * t9 * t36;
         let dφ1_dφ2 = dφ1 * dφ2;
-        let dφ2_squared = dφ2 * dφ2;
-        let t60 = (dM_left_crank_dφ2 - t35) * dφ1_dφ2
-            + (t43 - dM_right_crank_dφ1 * 0.5) * dφ2_squared;
         let dφ1_squared = dφ1 * dφ1;
+        let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
-        let h_left_crank = t60 + dM_left_crank_dφ1 * 0.5 * dφ1_squared
-            + t35 * dφ1_dφ2;
-        let t61 = dP_s_dφ1 - τ_1 + h_left_crank;
-        let t62 = p.right_torque * t55 - p.c * dφ2 - p.c * ω3_right_crank * t56;
+        let h1 = dM11_dφ2 * dφ1_dφ2 + dM11_dφ1 * 0.5 * dφ1_squared
+            - (dM22_dφ1 * 0.5 - dM12_dφ2) * dφ2_squared;
+        let t37 = dP_s_dφ1 - τ1 + h1;
+        let t38 = p.right_torque * t32 - p.c * dφ2 - p.c * ω3_2 * t33
+            - p.c * ω4_2_minus_one * t35;
         // generalized torque of all other forces
-        let τ_2 = t62 - p.c * ω4_right_crank_minus_one * t58 - p.c * t17 * t59;
-        let t63 = (t23 - dM_left_crank_dφ2 * 0.5 + t25 + t27 + t29 + t31 + t33)
-            * dφ1_squared;
+        let τ2 = t38 - p.c * ω3_2_minus_ω4_2 * t36;
         // centrifugal and Coriolis terms
-        let h_right_crank = t63 + (t44 - t50 + t45 + t46 + t47) * dφ1_dφ2
-            + t50 * dφ1_dφ2 + dM_right_crank_dφ2 * 0.5 * dφ2_squared;
-        let t64 = dP_s_dφ2 - τ_2 + h_right_crank;
-        let ddφ1 = -(t9 * (M_right_crank * t61 - M_left_crank_right_crank * t64));
-        let ddφ2 = -(t9 * (M_left_crank * t64 - M_left_crank_right_crank * t61));
+        let h2 = (dM12_dφ1 - dM11_dφ2 * 0.5) * dφ1_squared + dM22_dφ1 * dφ1_dφ2
+            + dM22_dφ2 * 0.5 * dφ2_squared;
+        let t39 = dP_s_dφ2 - τ2 + h2;
+        let ddφ1 = -(per_det_M * (M22 * t37 - M12 * t39));
+        let ddφ2 = -(per_det_M * (M11 * t39 - M12 * t37));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -629,539 +612,529 @@ pub mod five_bar {
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
-        let η = p.half_s * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
+        let η = p.half_ε * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
         let X_η = X * η;
         let s3 = p.per_l2 * (half_Y + X_η);
         let half_X = X * 0.5;
         let Y_η = Y * η;
-        let c4 = -(p.per_l2 * (X - half_X + Y_η));
+        let c4 = -(p.per_l2 * (half_X + Y_η));
         let c3 = p.per_l2 * (half_X - Y_η);
-        let s4 = p.per_l2 * (half_Y - Y + X_η);
+        let s4 = -(p.per_l2 * (half_Y - X_η));
         let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         let per_sin_φ3_minus_φ4 = sin_φ3_minus_φ4.recip();
         let sin_φ1_minus_φ4 = sin_φ1 * c4 - cos_φ1 * s4;
         let t1 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ1_minus_φ4);
         // rate of the angle of `left_coupler` per unit rate of `left_crank`
-        let ω3_left_crank = -t1;
-        let ω3_left_crank_squared = ω3_left_crank * ω3_left_crank;
+        let ω3_1 = -t1;
+        let ω3_1_squared = ω3_1 * ω3_1;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         let t2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ1_minus_φ3);
         // rate of the angle of `right_coupler` per unit rate of `left_crank`
-        let ω4_left_crank = -t2;
-        let ω4_left_crank_squared = ω4_left_crank * ω4_left_crank;
-        let t3 = p.C0 + p.C2 * ω3_left_crank_squared + p.C3 * ω4_left_crank_squared;
+        let ω4_1 = -t2;
+        let ω4_1_squared = ω4_1 * ω4_1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
-        let t4 = ω3_left_crank * cos_φ1_minus_φ3;
+        let ω3_1_cos_φ1_minus_φ3 = ω3_1 * cos_φ1_minus_φ3;
         // inertia
-        let M_left_crank = t3 + p.C4 * t4;
+        let M11 = p.C0 + p.C2 * ω3_1_squared + p.C3 * ω4_1_squared
+            + p.C4 * ω3_1_cos_φ1_minus_φ3;
         let sin_φ2_minus_φ4 = sin_φ2 * c4 - cos_φ2 * s4;
         // rate of the angle of `left_coupler` per unit rate of `right_crank`
-        let ω3_right_crank = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ4);
-        let ω3_right_crank_squared = ω3_right_crank * ω3_right_crank;
+        let ω3_2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ4);
+        let ω3_2_squared = ω3_2 * ω3_2;
         let sin_φ2_minus_φ3 = sin_φ2 * c3 - cos_φ2 * s3;
         // rate of the angle of `right_coupler` per unit rate of `right_crank`
-        let ω4_right_crank = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ3);
-        let ω4_right_crank_squared = ω4_right_crank * ω4_right_crank;
-        let t5 = p.C1 + p.C2 * ω3_right_crank_squared + p.C3 * ω4_right_crank_squared;
+        let ω4_2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ3);
+        let ω4_2_squared = ω4_2 * ω4_2;
         let cos_φ2_minus_φ4 = cos_φ2 * c4 + sin_φ2 * s4;
-        let t6 = ω4_right_crank * cos_φ2_minus_φ4;
+        let ω4_2_cos_φ2_minus_φ4 = ω4_2 * cos_φ2_minus_φ4;
         // inertia
-        let M_right_crank = t5 + p.C5 * t6;
-        let t7 = ω3_left_crank * ω3_right_crank;
-        let t8 = ω4_left_crank * ω4_right_crank;
-        let t9 = ω3_right_crank * cos_φ1_minus_φ3;
-        let t10 = ω4_left_crank * cos_φ2_minus_φ4;
+        let M22 = p.C1 + p.C2 * ω3_2_squared + p.C3 * ω4_2_squared
+            + p.C5 * ω4_2_cos_φ2_minus_φ4;
+        let ω3_1_ω3_2 = ω3_1 * ω3_2;
+        let ω4_1_ω4_2 = ω4_1 * ω4_2;
+        let ω3_2_cos_φ1_minus_φ3 = ω3_2 * cos_φ1_minus_φ3;
+        let t3 = p.C2 * ω3_1_ω3_2 + p.C3 * ω4_1_ω4_2
+            + p.half_C4 * ω3_2_cos_φ1_minus_φ3;
+        let ω4_1_cos_φ2_minus_φ4 = ω4_1 * cos_φ2_minus_φ4;
         // inertia
-        let M_left_crank_right_crank = p.C2 * t7 + p.C3 * t8 + p.half_C4 * t9
-            + p.half_C5 * t10;
+        let M12 = t3 + p.half_C5 * ω4_1_cos_φ2_minus_φ4;
         // determinant of the inertia
-        let t11 = M_left_crank * M_right_crank
-            - M_left_crank_right_crank * M_left_crank_right_crank;
-        let t12 = (t11 * t11).recip();
+        let det_M = M11 * M22 - M12 * M12;
+        let per_det_M_squared = (det_M * det_M).recip();
         let cos_φ1_minus_φ4 = cos_φ1 * c4 + sin_φ1 * s4;
-        let ω4_left_crank_minus_one = ω4_left_crank - 1.0;
-        let t13 = t2 - t1;
+        let ω4_1_minus_one = ω4_1 - 1.0;
+        let t4 = t2 - t1;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
-        let t14 = p.l1 * (cos_φ1_minus_φ4 * ω4_left_crank_minus_one)
-            - p.l2 * (ω3_left_crank * t13 * cos_φ3_minus_φ4);
-        let dω3_left_crank_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t14);
-        let ω3_left_crank_minus_one = ω3_left_crank - 1.0;
-        let t15 = p.l1 * (cos_φ1_minus_φ3 * ω3_left_crank_minus_one)
-            - p.l2 * (ω4_left_crank * t13 * cos_φ3_minus_φ4);
-        let dω4_left_crank_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t15);
-        let t16 = p.two_C2 * (ω3_left_crank * dω3_left_crank_dφ1)
-            + p.two_C3 * (ω4_left_crank * dω4_left_crank_dφ1);
-        let t17 = dω3_left_crank_dφ1 * cos_φ1_minus_φ3;
-        let t18 = sin_φ1_minus_φ3 * ω3_left_crank;
-        let dM_left_crank_dφ1 = t16 + p.C4 * t17
-            + p.C4 * (t18 * ω3_left_crank_minus_one);
-        let t19 = p.l1 * t10 + p.l2 * (ω3_right_crank * t13 * cos_φ3_minus_φ4);
-        let t20 = p.per_l2 * (per_sin_φ3_minus_φ4 * t19);
-        let dω3_right_crank_dφ1 = -t20;
-        let t21 = p.two_C2 * (ω3_right_crank * dω3_right_crank_dφ1);
+        let t5 = p.l1 * (cos_φ1_minus_φ4 * ω4_1_minus_one)
+            - p.l2 * (ω3_1 * t4 * cos_φ3_minus_φ4);
+        let dω3_1_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t5);
+        let ω3_1_minus_one = ω3_1 - 1.0;
+        let t6 = p.l1 * (cos_φ1_minus_φ3 * ω3_1_minus_one)
+            - p.l2 * (ω4_1 * t4 * cos_φ3_minus_φ4);
+        let dω4_1_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t6);
+        let t7 = dω3_1_dφ1 * cos_φ1_minus_φ3;
+        let t8 = p.two_C2 * (ω3_1 * dω3_1_dφ1) + p.two_C3 * (ω4_1 * dω4_1_dφ1)
+            + p.C4 * t7;
+        let sin_φ1_minus_φ3_ω3_1 = sin_φ1_minus_φ3 * ω3_1;
+        // slope of the inertia
+        let dM11_dφ1 = t8 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_1_minus_one);
+        let t9 = p.l1 * ω4_1_cos_φ2_minus_φ4
+            + p.l2 * (ω3_2 * t4 * cos_φ3_minus_φ4);
+        let t10 = p.per_l2 * (per_sin_φ3_minus_φ4 * t9);
+        let dω3_2_dφ1 = -t10;
         let cos_φ2_minus_φ3 = cos_φ2 * c3 + sin_φ2 * s3;
-        let t22 = p.l1 * (ω3_left_crank * cos_φ2_minus_φ3)
-            + p.l2 * (ω4_right_crank * t13 * cos_φ3_minus_φ4);
-        let t23 = p.per_l2 * (per_sin_φ3_minus_φ4 * t22);
-        let dω4_right_crank_dφ1 = -t23;
-        let t24 = p.two_C3 * (ω4_right_crank * dω4_right_crank_dφ1);
-        let t25 = cos_φ2_minus_φ4 * dω4_right_crank_dφ1;
-        let t26 = p.C5 * t25;
-        let t27 = ω4_left_crank * sin_φ2_minus_φ4;
-        let t28 = p.C5 * (t27 * ω4_right_crank);
-        let dM_right_crank_dφ1 = t21 + t24 + t26 + t28;
-        let t29 = M_right_crank * dM_left_crank_dφ1
-            + M_left_crank * dM_right_crank_dφ1;
-        let t30 = p.C2 * (ω3_right_crank * dω3_left_crank_dφ1);
-        let t31 = p.C2 * (ω3_left_crank * dω3_right_crank_dφ1);
-        let t32 = p.C3 * (ω4_right_crank * dω4_left_crank_dφ1);
-        let t33 = p.C3 * (ω4_left_crank * dω4_right_crank_dφ1);
-        let t34 = cos_φ1_minus_φ3 * dω3_right_crank_dφ1;
-        let t35 = sin_φ1_minus_φ3 * ω3_right_crank;
-        let t36 = t35 * ω3_left_crank_minus_one;
-        let t37 = (p.C4 * t34 + p.C4 * t36) * 0.5;
-        let t38 = dω4_left_crank_dφ1 * cos_φ2_minus_φ4;
-        let t39 = ω4_left_crank_squared * sin_φ2_minus_φ4;
-        let t40 = (p.C5 * t38 + p.C5 * t39) * 0.5;
-        let t41 = t30 + t31 + t32 + t33 + t37 + t40;
-        let t42 = t29 - M_left_crank_right_crank * t41 * 2.0;
-        let t43 = t12 * t42;
-        let t44 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t11 = p.l1 * (ω3_1 * cos_φ2_minus_φ3)
+            + p.l2 * (ω4_2 * t4 * cos_φ3_minus_φ4);
+        let t12 = p.per_l2 * (per_sin_φ3_minus_φ4 * t11);
+        let dω4_2_dφ1 = -t12;
+        let t13 = cos_φ2_minus_φ4 * dω4_2_dφ1;
+        let t14 = p.two_C2 * (ω3_2 * dω3_2_dφ1) + p.two_C3 * (ω4_2 * dω4_2_dφ1)
+            + p.C5 * t13;
+        let ω4_1_sin_φ2_minus_φ4 = ω4_1 * sin_φ2_minus_φ4;
+        // slope of the inertia
+        let dM22_dφ1 = t14 + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2);
+        let t15 = p.C2 * (ω3_2 * dω3_1_dφ1) + p.C2 * (ω3_1 * dω3_2_dφ1)
+            + p.C3 * (ω4_2 * dω4_1_dφ1);
+        let t16 = cos_φ1_minus_φ3 * dω3_2_dφ1;
+        let sin_φ1_minus_φ3_ω3_2 = sin_φ1_minus_φ3 * ω3_2;
+        let t17 = sin_φ1_minus_φ3_ω3_2 * ω3_1_minus_one;
+        let t18 = t15 + p.C3 * (ω4_1 * dω4_2_dφ1) + (p.C4 * t16 + p.C4 * t17) * 0.5;
+        let t19 = dω4_1_dφ1 * cos_φ2_minus_φ4;
+        let t20 = ω4_1_squared * sin_φ2_minus_φ4;
+        // slope of the inertia
+        let dM12_dφ1 = t18 + (p.C5 * t19 + p.C5 * t20) * 0.5;
+        let ddet_M_dφ1 = M22 * dM11_dφ1 + M11 * dM22_dφ1 - M12 * dM12_dφ1 * 2.0;
+        let t21 = per_det_M_squared * ddet_M_dφ1;
+        let t22 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `left_coupler` from the assembled one
-        let φ3_minus_φ3_0 = t44.unwrap_to(turn_left_coupler);
-        let t45 = T::from_f64(2.0943951023931953) - φ1 + φ3_minus_φ3_0;
-        let t46 = p.k * (φ1 - 2.0943951023931953)
-            + p.k * (ω3_left_crank_minus_one * t45);
-        let t47 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let φ3_minus_φ3_0 = t22.unwrap_to(turn_left_coupler);
+        let t23 = T::from_f64(2.0943951023931953) - φ1 + φ3_minus_φ3_0;
+        let t24 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `right_coupler` from the assembled one
-        let φ4_minus_φ4_0 = t47.unwrap_to(turn_right_coupler);
-        let t48 = T::from_f64(1.0471975511965976) - φ2 + φ4_minus_φ4_0;
-        let t49 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
-        // springs
-        let dP_s_dφ1 = t46 + p.k * (ω4_left_crank * t48) + p.k * (t13 * t49);
-        let t50 = p.c * ω3_left_crank_minus_one;
-        let c_ω4_left_crank = p.c * ω4_left_crank;
-        let ω4_right_crank_minus_one = ω4_right_crank - 1.0;
-        let t51 = p.c * t13;
-        let t52 = ω3_right_crank - ω4_right_crank;
-        let t53 = ω3_left_crank * cos_φ3_minus_φ4;
-        let t54 = p.l1 * (ω4_right_crank * cos_φ1_minus_φ4) - p.l2 * (t53 * t52);
-        let dω3_left_crank_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t54);
-        let t55 = ω4_left_crank * cos_φ3_minus_φ4;
-        let t56 = p.l1 * t9 - p.l2 * (t55 * t52);
-        let dω4_left_crank_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t56);
-        let t57 = p.two_C2 * (ω3_left_crank * dω3_left_crank_dφ2)
-            + p.two_C3 * (ω4_left_crank * dω4_left_crank_dφ2);
-        let t58 = dω3_left_crank_dφ2 * cos_φ1_minus_φ3;
-        let dM_left_crank_dφ2 = t57 + p.C4 * t58 + p.C4 * (t18 * ω3_right_crank);
-        let t59 = t41 * 0.5;
-        let t60 = dM_left_crank_dφ2 - t59;
-        let t61 = ω3_right_crank * cos_φ3_minus_φ4;
-        let t62 = p.l1 * (cos_φ2_minus_φ4 * ω4_right_crank_minus_one)
-            + p.l2 * (t61 * t52);
-        let t63 = p.per_l2 * (per_sin_φ3_minus_φ4 * t62);
-        let dω3_right_crank_dφ2 = -t63;
-        let t64 = p.C2 * (ω3_right_crank * dω3_left_crank_dφ2)
-            + p.C2 * (ω3_left_crank * dω3_right_crank_dφ2);
-        let ω3_right_crank_minus_one = ω3_right_crank - 1.0;
-        let t65 = ω4_right_crank * cos_φ3_minus_φ4;
-        let t66 = p.l1 * (cos_φ2_minus_φ3 * ω3_right_crank_minus_one)
-            + p.l2 * (t65 * t52);
-        let t67 = p.per_l2 * (per_sin_φ3_minus_φ4 * t66);
-        let dω4_right_crank_dφ2 = -t67;
-        let t68 = t64 + p.C3 * (ω4_right_crank * dω4_left_crank_dφ2)
-            + p.C3 * (ω4_left_crank * dω4_right_crank_dφ2);
-        let t69 = cos_φ1_minus_φ3 * dω3_right_crank_dφ2;
-        let t70 = sin_φ1_minus_φ3 * ω3_right_crank_squared;
-        let t71 = dω4_left_crank_dφ2 * cos_φ2_minus_φ4;
-        let t72 = t27 * ω4_right_crank_minus_one;
-        let t73 = t68 + (p.C4 * t69 + p.C4 * t70) * 0.5
-            + (p.C5 * t71 + p.C5 * t72) * 0.5;
-        let t74 = t73 - dM_right_crank_dφ1 * 0.5;
-        let t75 = p.k * (φ2 - 1.0471975511965976) + p.k * (ω3_right_crank * t45)
-            + p.k * (ω4_right_crank_minus_one * t48);
-        // springs
-        let dP_s_dφ2 = t75 + p.k * (t52 * t49);
-        let c_ω3_right_crank = p.c * ω3_right_crank;
-        let t76 = p.c * ω4_right_crank_minus_one;
-        let t77 = p.c * t52;
-        let t78 = t30 - dM_left_crank_dφ2 * 0.5 + t31 + t32 + t33 + t37 + t40;
-        let t79 = t73 * 0.5;
-        let t80 = t21 - t79 + t24 + t26 + t28;
-        let t81 = p.two_C2 * (ω3_right_crank * dω3_right_crank_dφ2)
-            + p.two_C3 * (ω4_right_crank * dω4_right_crank_dφ2);
-        let t82 = cos_φ2_minus_φ4 * dω4_right_crank_dφ2;
-        let t83 = sin_φ2_minus_φ4 * ω4_right_crank;
-        let dM_right_crank_dφ2 = t81 + p.C5 * t82
-            + p.C5 * (t83 * ω4_right_crank_minus_one);
-        let t84 = t11.recip();
-        let t85 = ω3_left_crank_minus_one * ω3_left_crank_minus_one;
-        let t86 = p.k + p.k * (dω3_left_crank_dφ1 * t45) + p.k * t85
-            + p.k * (dω4_left_crank_dφ1 * t48);
-        let t87 = dω3_left_crank_dφ1 - dω4_left_crank_dφ1;
-        let t88 = t13 * t13;
-        let ddP_s_dφ1_dφ1 = t86 + p.k * ω4_left_crank_squared + p.k * (t49 * t87)
-            + p.k * t88;
-        let t89 = t23 - t20;
-        let t90 = p.C2 * (dω3_left_crank_dφ1 * dω3_left_crank_dφ2);
-        let t91 = p.l1
-            * (sin_φ1_minus_φ4 * ω4_right_crank * ω4_left_crank_minus_one);
-        let t92 = p.l1 * (cos_φ1_minus_φ4 * dω4_right_crank_dφ1) + t91
-            - p.l2 * (cos_φ3_minus_φ4 * dω3_left_crank_dφ1 * t52);
-        let t93 = sin_φ3_minus_φ4 * ω3_left_crank;
-        let t94 = p.l2 * (t93 * t13 * t52);
-        let t95 = p.per_l2 * (per_sin_φ3_minus_φ4 * (t92 - p.l2 * (t53 * t89) + t94));
-        let t96 = (sin_φ3_minus_φ4 * sin_φ3_minus_φ4).recip();
-        let t97 = t96 * t13 * cos_φ3_minus_φ4;
-        let ddω3_left_crank_dφ2_dφ1 = t95 - p.per_l2 * (t97 * t54);
-        let t98 = p.C3 * (dω4_left_crank_dφ1 * dω4_left_crank_dφ2);
-        let t99 = p.l1 * t36;
-        let t100 = cos_φ3_minus_φ4 * t52;
-        let t101 = p.l1 * t34 + t99 - p.l2 * (t100 * dω4_left_crank_dφ1)
-            - p.l2 * (t55 * t89);
-        let t102 = sin_φ3_minus_φ4 * ω4_left_crank;
-        let t103 = p.l2 * (t102 * t13 * t52);
-        let ddω4_left_crank_dφ2_dφ1 = p.per_l2
-            * (per_sin_φ3_minus_φ4 * (t101 + t103)) - p.per_l2 * (t97 * t56);
-        let t104 = (t90 + p.C2 * (ω3_left_crank * ddω3_left_crank_dφ2_dφ1)) * 2.0
-            + (t98 + p.C3 * (ω4_left_crank * ddω4_left_crank_dφ2_dφ1)) * 2.0;
-        let t105 = p.C4
-            * (sin_φ1_minus_φ3 * dω3_left_crank_dφ2 * ω3_left_crank_minus_one);
-        let t106 = p.C4 * (t35 * dω3_left_crank_dφ1);
-        let t107 = t104 + p.C4 * (cos_φ1_minus_φ3 * ddω3_left_crank_dφ2_dφ1) + t105
-            + t106;
-        let t108 = p.C4 * (t7 * cos_φ1_minus_φ3 * ω3_left_crank_minus_one);
-        let t109 = t107 + p.C4 * (t18 * dω3_right_crank_dφ1) - t108;
-        let t110 = sin_φ1_minus_φ4
-            * (ω4_left_crank_minus_one * ω4_left_crank_minus_one);
-        let t111 = t13 * cos_φ3_minus_φ4;
-        let t112 = p.l1 * t110 + p.l1 * (cos_φ1_minus_φ4 * dω4_left_crank_dφ1)
-            - p.l2 * (t111 * dω3_left_crank_dφ1);
-        let t113 = per_sin_φ3_minus_φ4
-            * (t112 - p.l2 * (t53 * t87) + p.l2 * (t93 * t88));
-        let ddω3_left_crank_dφ1_dφ1 = p.per_l2 * t113 - p.per_l2 * (t97 * t14);
-        let t114 = p.two_C2 * (dω3_left_crank_dφ1 * dω3_right_crank_dφ1)
-            + p.C2 * (ω3_right_crank * ddω3_left_crank_dφ1_dφ1);
-        let t115 = p.l1 * t38 + p.l1 * t39 + p.l2 * (t111 * dω3_right_crank_dφ1);
-        let t116 = sin_φ3_minus_φ4 * ω3_right_crank;
-        let t117 = per_sin_φ3_minus_φ4
-            * (t115 + p.l2 * (t61 * t87) - p.l2 * (t116 * t88));
-        let ddω3_right_crank_dφ1_dφ1 = p.per_l2 * (t97 * t19) - p.per_l2 * t117;
-        let t118 = t114 + p.C2 * (ω3_left_crank * ddω3_right_crank_dφ1_dφ1)
-            + p.two_C3 * (dω4_left_crank_dφ1 * dω4_right_crank_dφ1);
-        let t119 = p.l1 * (sin_φ1_minus_φ3 * t85) + p.l1 * t17
-            - p.l2 * (t111 * dω4_left_crank_dφ1);
-        let t120 = per_sin_φ3_minus_φ4
-            * (t119 - p.l2 * (t55 * t87) + p.l2 * (t102 * t88));
-        let ddω4_left_crank_dφ1_dφ1 = p.per_l2 * t120 - p.per_l2 * (t97 * t15);
-        let t121 = p.l1 * (dω3_left_crank_dφ1 * cos_φ2_minus_φ3)
-            + p.l1 * (ω3_left_crank_squared * sin_φ2_minus_φ3);
-        let t122 = sin_φ3_minus_φ4 * ω4_right_crank;
-        let t123 = t121 + p.l2 * (t111 * dω4_right_crank_dφ1) + p.l2 * (t65 * t87)
-            - p.l2 * (t122 * t88);
-        let ddω4_right_crank_dφ1_dφ1 = p.per_l2 * (t97 * t22)
-            - p.per_l2 * (per_sin_φ3_minus_φ4 * t123);
-        let t124 = t118 + p.C3 * (ω4_right_crank * ddω4_left_crank_dφ1_dφ1)
-            + p.C3 * (ω4_left_crank * ddω4_right_crank_dφ1_dφ1);
-        let t125 = sin_φ1_minus_φ3 * ω3_left_crank_minus_one;
-        let t126 = t106 + p.two_C4 * (t125 * dω3_right_crank_dφ1)
-            + p.C4 * (cos_φ1_minus_φ3 * ddω3_right_crank_dφ1_dφ1);
-        let t127 = p.C5 * (cos_φ2_minus_φ4 * ddω4_left_crank_dφ1_dφ1)
-            + p._3_C5 * (t27 * dω4_left_crank_dφ1);
-        let t128 = t127
-            - p.C5 * (ω4_left_crank * ω4_left_crank_squared * cos_φ2_minus_φ4);
-        let t129 = t124 + (t126 - p.C4 * (t9 * t85)) * 0.5 + t128 * 0.5;
-        let t130 = t129 * 0.5;
-        let t131 = p.C2 * (dω3_left_crank_dφ2 * dω3_right_crank_dφ1);
-        let t132 = p.C2 * (dω3_left_crank_dφ1 * dω3_right_crank_dφ2);
-        let t133 = p.l1 * t72;
-        let t134 = t133 + p.l1 * t25 + p.l2 * (t100 * dω3_right_crank_dφ1)
-            + p.l2 * (t61 * t89);
-        let t135 = p.l2 * (t116 * t13 * t52);
-        let ddω3_right_crank_dφ2_dφ1 = p.per_l2 * (t97 * t62)
-            - p.per_l2 * (per_sin_φ3_minus_φ4 * (t134 - t135));
-        let t136 = t131 + p.C2 * (ω3_right_crank * ddω3_left_crank_dφ2_dφ1) + t132
-            + p.C2 * (ω3_left_crank * ddω3_right_crank_dφ2_dφ1);
-        let t137 = p.C3 * (dω4_left_crank_dφ2 * dω4_right_crank_dφ1);
-        let t138 = p.C3 * (dω4_left_crank_dφ1 * dω4_right_crank_dφ2);
-        let t139 = t136 + t137 + p.C3 * (ω4_right_crank * ddω4_left_crank_dφ2_dφ1)
-            + t138;
-        let t140 = p.l1
-            * (ω3_left_crank * sin_φ2_minus_φ3 * ω3_right_crank_minus_one);
-        let t141 = t140 + p.l1 * (dω3_right_crank_dφ1 * cos_φ2_minus_φ3)
-            + p.l2 * (t100 * dω4_right_crank_dφ1);
-        let t142 = p.l2 * (t122 * t13 * t52);
-        let t143 = p.per_l2
-            * (per_sin_φ3_minus_φ4 * (t141 + p.l2 * (t65 * t89) - t142));
-        let ddω4_right_crank_dφ2_dφ1 = p.per_l2 * (t97 * t66) - t143;
-        let t144 = p.C4 * (t125 * dω3_right_crank_dφ2);
-        let t145 = ω3_right_crank_squared * cos_φ1_minus_φ3
-            * ω3_left_crank_minus_one;
-        let t146 = p.C4 * t145;
-        let t147 = t144 + p.C4 * (cos_φ1_minus_φ3 * ddω3_right_crank_dφ2_dφ1)
-            - t146;
-        let t148 = t35 * dω3_right_crank_dφ1;
-        let t149 = t139 + p.C3 * (ω4_left_crank * ddω4_right_crank_dφ2_dφ1)
-            + (t147 + p.two_C4 * t148) * 0.5;
-        let t150 = t27 * dω4_left_crank_dφ2;
-        let t151 = p.C5 * (cos_φ2_minus_φ4 * ddω4_left_crank_dφ2_dφ1) + p.C5 * t150;
-        let t152 = p.C5
-            * (sin_φ2_minus_φ4 * dω4_left_crank_dφ1 * ω4_right_crank_minus_one);
-        let t153 = t27 * dω4_right_crank_dφ1;
-        let t154 = ω4_left_crank_squared * cos_φ2_minus_φ4
-            * ω4_right_crank_minus_one;
-        let t155 = p.C5 * t154;
-        let t156 = t149 + (t151 + t152 + p.C5 * t153 - t155) * 0.5;
-        let t157 = p.C2 * (dω3_right_crank_dφ1 * dω3_right_crank_dφ1)
-            + p.C2 * (ω3_right_crank * ddω3_right_crank_dφ1_dφ1);
-        let t158 = p.C3 * (dω4_right_crank_dφ1 * dω4_right_crank_dφ1)
-            + p.C3 * (ω4_right_crank * ddω4_right_crank_dφ1_dφ1);
-        let t159 = p.two_C5 * t153 + t157 * 2.0 + t158 * 2.0
-            + p.C5 * (cos_φ2_minus_φ4 * ddω4_right_crank_dφ1_dφ1);
-        let t160 = p.C5 * (ω4_left_crank_squared * ω4_right_crank * cos_φ2_minus_φ4);
-        let t161 = t159 + p.C5 * (t83 * dω4_left_crank_dφ1) - t160;
-        let t162 = p.C2 * (dω3_left_crank_dφ1 * dω3_left_crank_dφ1)
-            + p.C2 * (ω3_left_crank * ddω3_left_crank_dφ1_dφ1);
-        let t163 = p.C3 * (dω4_left_crank_dφ1 * dω4_left_crank_dφ1)
-            + p.C3 * (ω4_left_crank * ddω4_left_crank_dφ1_dφ1);
-        let t164 = t162 * 2.0 + t163 * 2.0
-            + p.C4 * (cos_φ1_minus_φ3 * ddω3_left_crank_dφ1_dφ1);
-        let t165 = p.two_C4
-            * (sin_φ1_minus_φ3 * dω3_left_crank_dφ1 * ω3_left_crank_minus_one);
-        let t166 = t164 + t165 + p.C4 * (t18 * dω3_left_crank_dφ1) - p.C4 * (t4 * t85);
-        let t167 = ω3_right_crank * ω3_left_crank_minus_one;
-        let t168 = p.k * t167;
-        let t169 = p.k * (dω3_right_crank_dφ1 * t45) + t168
-            + p.k * (dω4_right_crank_dφ1 * t48);
-        let t170 = ω4_left_crank * ω4_right_crank_minus_one;
-        let t171 = p.k * t170;
-        let t172 = t13 * t52;
-        let t173 = p.k * t172;
-        let ddP_s_dφ2_dφ1 = t169 + t171 + p.k * (t49 * t89) + t173;
-        let t174 = t156 * 0.5;
-        let t175 = p.C2 * (dω3_right_crank_dφ1 * dω3_right_crank_dφ2);
-        let t176 = p.C3 * (dω4_right_crank_dφ1 * dω4_right_crank_dφ2);
-        let t177 = (t175 + p.C2 * (ω3_right_crank * ddω3_right_crank_dφ2_dφ1)) * 2.0
-            + (t176 + p.C3 * (ω4_right_crank * ddω4_right_crank_dφ2_dφ1)) * 2.0;
-        let t178 = p.C5 * (t27 * dω4_right_crank_dφ2);
-        let t179 = t177 + t178
-            + p.C5 * (cos_φ2_minus_φ4 * ddω4_right_crank_dφ2_dφ1);
-        let t180 = sin_φ2_minus_φ4 * ω4_right_crank_minus_one;
-        let t181 = p.C5 * (t180 * dω4_right_crank_dφ1);
-        let t182 = p.C5 * (t8 * cos_φ2_minus_φ4 * ω4_right_crank_minus_one);
-        let t183 = p.c + p.c * t85 + p.c * ω4_left_crank_squared + p.c * t88;
-        let dτ_1_ddφ1 = -t183;
-        let dτ_2_ddφ1 = -(p.c * t167 + p.c * t170 + p.c * t172);
-        let t184 = M_right_crank * dM_left_crank_dφ2
-            + M_left_crank * dM_right_crank_dφ2;
-        let t185 = t184 - M_left_crank_right_crank * t73 * 2.0;
-        let t186 = t12 * t185;
-        let t187 = t168 + t171 + t173 + p.k * (dω3_left_crank_dφ2 * t45)
-            + p.k * (dω4_left_crank_dφ2 * t48);
-        let t188 = dω3_left_crank_dφ2 - dω4_left_crank_dφ2;
-        let ddP_s_dφ1_dφ2 = t187 + p.k * (t49 * t188);
-        let t189 = t67 - t63;
-        let t190 = p.l1 * (cos_φ1_minus_φ4 * dω4_right_crank_dφ2)
-            + p.l1 * (sin_φ1_minus_φ4 * ω4_right_crank_squared);
-        let t191 = t52 * t52;
-        let t192 = t190 - p.l2 * (t100 * dω3_left_crank_dφ2) - p.l2 * (t53 * t189)
-            + p.l2 * (t93 * t191);
-        let t193 = t96 * cos_φ3_minus_φ4;
-        let t194 = t193 * t52;
-        let ddω3_left_crank_dφ2_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t192)
-            - p.per_l2 * (t194 * t54);
-        let t195 = p.C2 * (dω3_left_crank_dφ2 * dω3_left_crank_dφ2)
-            + p.C2 * (ω3_left_crank * ddω3_left_crank_dφ2_dφ2);
-        let t196 = p.l1 * t69 + p.l1 * t70 - p.l2 * (t100 * dω4_left_crank_dφ2)
-            - p.l2 * (t55 * t189);
-        let ddω4_left_crank_dφ2_dφ2 = p.per_l2
-            * (per_sin_φ3_minus_φ4 * (t196 + p.l2 * (t102 * t191)))
-            - p.per_l2 * (t194 * t56);
-        let t197 = p.C3 * (dω4_left_crank_dφ2 * dω4_left_crank_dφ2)
-            + p.C3 * (ω4_left_crank * ddω4_left_crank_dφ2_dφ2);
-        let t198 = t195 * 2.0 + t197 * 2.0
-            + p.C4 * (cos_φ1_minus_φ3 * ddω3_left_crank_dφ2_dφ2);
-        let t199 = t35 * dω3_left_crank_dφ2;
-        let t200 = p.C4 * (ω3_left_crank * ω3_right_crank_squared * cos_φ1_minus_φ3);
-        let t201 = t198 + p.two_C4 * t199 + p.C4 * (t18 * dω3_right_crank_dφ2) - t200;
-        let t202 = t91 + t94 + p.l1 * (cos_φ1_minus_φ4 * dω4_left_crank_dφ2)
-            - p.l2 * (t111 * dω3_left_crank_dφ2);
-        let ddω3_left_crank_dφ1_dφ2 = p.per_l2
-            * (per_sin_φ3_minus_φ4 * (t202 - p.l2 * (t53 * t188)))
-            - p.per_l2 * (t193 * t14 * t52);
-        let t203 = t131 + t132 + t137 + t138
-            + p.C2 * (ω3_right_crank * ddω3_left_crank_dφ1_dφ2);
-        let t204 = t133 - t135 + p.l1 * t71 + p.l2 * (t111 * dω3_right_crank_dφ2)
-            + p.l2 * (t61 * t188);
-        let ddω3_right_crank_dφ1_dφ2 = p.per_l2 * (t194 * t19)
-            - p.per_l2 * (per_sin_φ3_minus_φ4 * t204);
-        let t205 = t99 + t103 + p.l1 * t58 - p.l2 * (t111 * dω4_left_crank_dφ2)
-            - p.l2 * (t55 * t188);
-        let ddω4_left_crank_dφ1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t205)
-            - p.per_l2 * (t194 * t15);
-        let t206 = t203 + p.C2 * (ω3_left_crank * ddω3_right_crank_dφ1_dφ2)
-            + p.C3 * (ω4_right_crank * ddω4_left_crank_dφ1_dφ2);
-        let t207 = t140 - t142 + p.l1 * (dω3_left_crank_dφ2 * cos_φ2_minus_φ3)
-            + p.l2 * (t111 * dω4_right_crank_dφ2);
-        let ddω4_right_crank_dφ1_dφ2 = p.per_l2 * (t194 * t22)
-            - p.per_l2 * (per_sin_φ3_minus_φ4 * (t207 + p.l2 * (t65 * t188)));
-        let t208 = t144 - t146 + p.C4 * t148 + p.C4 * t199
-            + p.C4 * (cos_φ1_minus_φ3 * ddω3_right_crank_dφ1_dφ2);
-        let t209 = t206 + p.C3 * (ω4_left_crank * ddω4_right_crank_dφ1_dφ2)
-            + t208 * 0.5;
-        let t210 = p.two_C5 * t150 + t152 - t155
-            + p.C5 * (cos_φ2_minus_φ4 * ddω4_left_crank_dφ1_dφ2);
-        let t211 = t209 + t210 * 0.5;
-        let t212 = t211 * 0.5;
-        let t213 = p.two_C2 * (dω3_left_crank_dφ2 * dω3_right_crank_dφ2)
-            + p.C2 * (ω3_right_crank * ddω3_left_crank_dφ2_dφ2);
-        let t214 = ω4_right_crank_minus_one * ω4_right_crank_minus_one;
-        let t215 = p.l1 * (sin_φ2_minus_φ4 * t214) + p.l1 * t82
-            + p.l2 * (t100 * dω3_right_crank_dφ2);
-        let t216 = per_sin_φ3_minus_φ4
-            * (t215 + p.l2 * (t61 * t189) - p.l2 * (t116 * t191));
-        let ddω3_right_crank_dφ2_dφ2 = p.per_l2 * (t194 * t62) - p.per_l2 * t216;
-        let t217 = t213 + p.C2 * (ω3_left_crank * ddω3_right_crank_dφ2_dφ2)
-            + p.two_C3 * (dω4_left_crank_dφ2 * dω4_right_crank_dφ2);
-        let t218 = sin_φ2_minus_φ3
-            * (ω3_right_crank_minus_one * ω3_right_crank_minus_one);
-        let t219 = p.l1 * t218 + p.l1 * (dω3_right_crank_dφ2 * cos_φ2_minus_φ3)
-            + p.l2 * (t100 * dω4_right_crank_dφ2);
-        let t220 = per_sin_φ3_minus_φ4
-            * (t219 + p.l2 * (t65 * t189) - p.l2 * (t122 * t191));
-        let ddω4_right_crank_dφ2_dφ2 = p.per_l2 * (t194 * t66) - p.per_l2 * t220;
-        let t221 = t217 + p.C3 * (ω4_right_crank * ddω4_left_crank_dφ2_dφ2)
-            + p.C3 * (ω4_left_crank * ddω4_right_crank_dφ2_dφ2);
-        let t222 = p._3_C4 * (t35 * dω3_right_crank_dφ2)
-            + p.C4 * (cos_φ1_minus_φ3 * ddω3_right_crank_dφ2_dφ2);
-        let t223 = p.C4
-            * (ω3_right_crank * ω3_right_crank_squared * cos_φ1_minus_φ3);
-        let t224 = p.two_C5
-            * (sin_φ2_minus_φ4 * dω4_left_crank_dφ2 * ω4_right_crank_minus_one);
-        let t225 = t178 + p.C5 * (cos_φ2_minus_φ4 * ddω4_left_crank_dφ2_dφ2) + t224
-            - p.C5 * (t10 * t214);
-        let t226 = t221 + (t222 - t223) * 0.5 + t225 * 0.5;
-        let t227 = t178 + t181 - t182
-            + (t175 + p.C2 * (ω3_right_crank * ddω3_right_crank_dφ1_dφ2)) * 2.0;
-        let t228 = t227
-            + (t176 + p.C3 * (ω4_right_crank * ddω4_right_crank_dφ1_dφ2)) * 2.0;
-        let t229 = t228 + p.C5 * (cos_φ2_minus_φ4 * ddω4_right_crank_dφ1_dφ2)
-            + p.C5 * (t83 * dω4_left_crank_dφ2);
-        let t230 = t105 + t106 - t108
-            + (t90 + p.C2 * (ω3_left_crank * ddω3_left_crank_dφ1_dφ2)) * 2.0;
-        let t231 = t230
-            + (t98 + p.C3 * (ω4_left_crank * ddω4_left_crank_dφ1_dφ2)) * 2.0;
-        let t232 = t231 + p.C4 * (cos_φ1_minus_φ3 * ddω3_left_crank_dφ1_dφ2)
-            + p.C4 * (t18 * dω3_left_crank_dφ2);
-        let t233 = p.k + p.k * (dω3_right_crank_dφ2 * t45)
-            + p.k * ω3_right_crank_squared;
-        let t234 = t233 + p.k * (dω4_right_crank_dφ2 * t48) + p.k * t214
-            + p.k * (t49 * t189);
-        let ddP_s_dφ2_dφ2 = t234 + p.k * t191;
-        let t235 = t226 * 0.5;
-        let t236 = p.C2 * (dω3_right_crank_dφ2 * dω3_right_crank_dφ2)
-            + p.C2 * (ω3_right_crank * ddω3_right_crank_dφ2_dφ2);
-        let t237 = p.C3 * (dω4_right_crank_dφ2 * dω4_right_crank_dφ2)
-            + p.C3 * (ω4_right_crank * ddω4_right_crank_dφ2_dφ2);
-        let t238 = t236 * 2.0 + t237 * 2.0 + p.two_C5 * (t180 * dω4_right_crank_dφ2);
-        let t239 = t238 + p.C5 * (cos_φ2_minus_φ4 * ddω4_right_crank_dφ2_dφ2)
-            + p.C5 * (t83 * dω4_right_crank_dφ2);
-        let t240 = p.c + p.c * ω3_right_crank_squared + p.c * t214 + p.c * t191;
-        let dτ_2_ddφ2 = -t240;
+        let φ4_minus_φ4_0 = t24.unwrap_to(turn_right_coupler);
+        let t25 = T::from_f64(1.0471975511965976) - φ2 + φ4_minus_φ4_0;
+        let t26 = p.k * (φ1 - 2.0943951023931953) + p.k * (ω3_1_minus_one * t23)
+            + p.k * (ω4_1 * t25);
+        let t27 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = t26 + p.k * (t4 * t27);
+        let c_ω3_1_minus_one = p.c * ω3_1_minus_one;
+        let c_ω4_1 = p.c * ω4_1;
+        let ω4_2_minus_one = ω4_2 - 1.0;
+        let t28 = p.c * t4;
+        let ω3_2_minus_ω4_2 = ω3_2 - ω4_2;
+        let ω3_1_cos_φ3_minus_φ4 = ω3_1 * cos_φ3_minus_φ4;
+        let t29 = p.l1 * (ω4_2 * cos_φ1_minus_φ4)
+            - p.l2 * (ω3_1_cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let dω3_1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t29);
+        let ω4_1_cos_φ3_minus_φ4 = ω4_1 * cos_φ3_minus_φ4;
+        let t30 = p.l1 * ω3_2_cos_φ1_minus_φ3
+            - p.l2 * (ω4_1_cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let dω4_1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t30);
+        let t31 = dω3_1_dφ2 * cos_φ1_minus_φ3;
+        let t32 = p.two_C2 * (ω3_1 * dω3_1_dφ2) + p.two_C3 * (ω4_1 * dω4_1_dφ2)
+            + p.C4 * t31;
+        // slope of the inertia
+        let dM11_dφ2 = t32 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * ω3_2);
+        let ω3_2_cos_φ3_minus_φ4 = ω3_2 * cos_φ3_minus_φ4;
+        let t33 = p.l1 * (cos_φ2_minus_φ4 * ω4_2_minus_one)
+            + p.l2 * (ω3_2_cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let t34 = p.per_l2 * (per_sin_φ3_minus_φ4 * t33);
+        let dω3_2_dφ2 = -t34;
+        let t35 = p.C2 * (ω3_2 * dω3_1_dφ2) + p.C2 * (ω3_1 * dω3_2_dφ2)
+            + p.C3 * (ω4_2 * dω4_1_dφ2);
+        let ω3_2_minus_one = ω3_2 - 1.0;
+        let ω4_2_cos_φ3_minus_φ4 = ω4_2 * cos_φ3_minus_φ4;
+        let t36 = p.l1 * (cos_φ2_minus_φ3 * ω3_2_minus_one)
+            + p.l2 * (ω4_2_cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
+        let t37 = p.per_l2 * (per_sin_φ3_minus_φ4 * t36);
+        let dω4_2_dφ2 = -t37;
+        let t38 = cos_φ1_minus_φ3 * dω3_2_dφ2;
+        let t39 = sin_φ1_minus_φ3 * ω3_2_squared;
+        let t40 = t35 + p.C3 * (ω4_1 * dω4_2_dφ2) + (p.C4 * t38 + p.C4 * t39) * 0.5;
+        let t41 = dω4_1_dφ2 * cos_φ2_minus_φ4;
+        let t42 = ω4_1_sin_φ2_minus_φ4 * ω4_2_minus_one;
+        // slope of the inertia
+        let dM12_dφ2 = t40 + (p.C5 * t41 + p.C5 * t42) * 0.5;
+        let t43 = dM22_dφ1 * 0.5 - dM12_dφ2;
+        let t44 = p.k * (φ2 - 1.0471975511965976) + p.k * (ω3_2 * t23)
+            + p.k * (ω4_2_minus_one * t25);
+        // slope of the potential energy of springs
+        let dP_s_dφ2 = t44 + p.k * (ω3_2_minus_ω4_2 * t27);
+        let c_ω3_2 = p.c * ω3_2;
+        let c_ω4_2_minus_one = p.c * ω4_2_minus_one;
+        let c_ω3_2_minus_ω4_2 = p.c * ω3_2_minus_ω4_2;
+        let t45 = dM12_dφ1 - dM11_dφ2 * 0.5;
+        let t46 = cos_φ2_minus_φ4 * dω4_2_dφ2;
+        let t47 = p.two_C2 * (ω3_2 * dω3_2_dφ2) + p.two_C3 * (ω4_2 * dω4_2_dφ2)
+            + p.C5 * t46;
+        let sin_φ2_minus_φ4_ω4_2 = sin_φ2_minus_φ4 * ω4_2;
+        // slope of the inertia
+        let dM22_dφ2 = t47 + p.C5 * (sin_φ2_minus_φ4_ω4_2 * ω4_2_minus_one);
+        let per_det_M = det_M.recip();
+        let ω3_1_minus_one_squared = ω3_1_minus_one * ω3_1_minus_one;
+        let t48 = p.k + p.k * (dω3_1_dφ1 * t23) + p.k * ω3_1_minus_one_squared
+            + p.k * (dω4_1_dφ1 * t25);
+        let t49 = dω3_1_dφ1 - dω4_1_dφ1;
+        let t50 = t4 * t4;
+        let ddP_s_dφ1_dφ1 = t48 + p.k * ω4_1_squared + p.k * (t27 * t49) + p.k * t50;
+        let t51 = t12 - t10;
+        let t52 = p.C4 * (sin_φ1_minus_φ3_ω3_2 * dω3_1_dφ1);
+        let C2_dω3_1_dφ1_dω3_1_dφ2 = p.C2 * (dω3_1_dφ1 * dω3_1_dφ2);
+        let t53 = p.l1 * (sin_φ1_minus_φ4 * ω4_2 * ω4_1_minus_one);
+        let t54 = p.l1 * (cos_φ1_minus_φ4 * dω4_2_dφ1) + t53
+            - p.l2 * (cos_φ3_minus_φ4 * dω3_1_dφ1 * ω3_2_minus_ω4_2);
+        let sin_φ3_minus_φ4_ω3_1 = sin_φ3_minus_φ4 * ω3_1;
+        let t55 = p.l2 * (sin_φ3_minus_φ4_ω3_1 * t4 * ω3_2_minus_ω4_2);
+        let t56 = per_sin_φ3_minus_φ4
+            * (t54 - p.l2 * (ω3_1_cos_φ3_minus_φ4 * t51) + t55);
+        let t57 = (sin_φ3_minus_φ4 * sin_φ3_minus_φ4).recip();
+        let t58 = t57 * t4 * cos_φ3_minus_φ4;
+        let ddω3_1_dφ2_dφ1 = p.per_l2 * t56 - p.per_l2 * (t58 * t29);
+        let t59 = t52
+            + (C2_dω3_1_dφ1_dω3_1_dφ2 + p.C2 * (ω3_1 * ddω3_1_dφ2_dφ1)) * 2.0;
+        let C3_dω4_1_dφ1_dω4_1_dφ2 = p.C3 * (dω4_1_dφ1 * dω4_1_dφ2);
+        let t60 = p.l1 * t17;
+        let t61 = cos_φ3_minus_φ4 * ω3_2_minus_ω4_2;
+        let t62 = p.l1 * t16 + t60 - p.l2 * (t61 * dω4_1_dφ1)
+            - p.l2 * (ω4_1_cos_φ3_minus_φ4 * t51);
+        let sin_φ3_minus_φ4_ω4_1 = sin_φ3_minus_φ4 * ω4_1;
+        let t63 = p.l2 * (sin_φ3_minus_φ4_ω4_1 * t4 * ω3_2_minus_ω4_2);
+        let ddω4_1_dφ2_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * (t62 + t63))
+            - p.per_l2 * (t58 * t30);
+        let t64 = t59
+            + (C3_dω4_1_dφ1_dω4_1_dφ2 + p.C3 * (ω4_1 * ddω4_1_dφ2_dφ1)) * 2.0;
+        let t65 = p.C4 * (sin_φ1_minus_φ3 * dω3_1_dφ2 * ω3_1_minus_one);
+        let t66 = t64 + p.C4 * (cos_φ1_minus_φ3 * ddω3_1_dφ2_dφ1) + t65
+            + p.C4 * (sin_φ1_minus_φ3_ω3_1 * dω3_2_dφ1);
+        let t67 = p.C4 * (ω3_1_ω3_2 * cos_φ1_minus_φ3 * ω3_1_minus_one);
+        let ddM11_dφ2_dφ1 = t66 - t67;
+        let t68 = p.l1 * (sin_φ1_minus_φ4 * (ω4_1_minus_one * ω4_1_minus_one))
+            + p.l1 * (cos_φ1_minus_φ4 * dω4_1_dφ1);
+        let t69 = t4 * cos_φ3_minus_φ4;
+        let t70 = t68 - p.l2 * (t69 * dω3_1_dφ1)
+            - p.l2 * (ω3_1_cos_φ3_minus_φ4 * t49);
+        let t71 = p.per_l2
+            * (per_sin_φ3_minus_φ4 * (t70 + p.l2 * (sin_φ3_minus_φ4_ω3_1 * t50)));
+        let ddω3_1_dφ1_dφ1 = t71 - p.per_l2 * (t58 * t5);
+        let t72 = (p.C2 * (dω3_1_dφ1 * dω3_1_dφ1)
+            + p.C2 * (ω3_1 * ddω3_1_dφ1_dφ1)) * 2.0;
+        let t73 = p.l1 * (sin_φ1_minus_φ3 * ω3_1_minus_one_squared) + p.l1 * t7
+            - p.l2 * (t69 * dω4_1_dφ1);
+        let t74 = t73 - p.l2 * (ω4_1_cos_φ3_minus_φ4 * t49)
+            + p.l2 * (sin_φ3_minus_φ4_ω4_1 * t50);
+        let ddω4_1_dφ1_dφ1 = p.per_l2 * (per_sin_φ3_minus_φ4 * t74)
+            - p.per_l2 * (t58 * t6);
+        let t75 = (p.C3 * (dω4_1_dφ1 * dω4_1_dφ1)
+            + p.C3 * (ω4_1 * ddω4_1_dφ1_dφ1)) * 2.0;
+        let t76 = t72 + t75 + p.C4 * (cos_φ1_minus_φ3 * ddω3_1_dφ1_dφ1)
+            + p.two_C4 * (sin_φ1_minus_φ3 * dω3_1_dφ1 * ω3_1_minus_one);
+        let ddM11_dφ1_dφ1 = t76 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * dω3_1_dφ1)
+            - p.C4 * (ω3_1_cos_φ1_minus_φ3 * ω3_1_minus_one_squared);
+        let t77 = p.l1 * t19 + p.l1 * t20 + p.l2 * (t69 * dω3_2_dφ1)
+            + p.l2 * (ω3_2_cos_φ3_minus_φ4 * t49);
+        let sin_φ3_minus_φ4_ω3_2 = sin_φ3_minus_φ4 * ω3_2;
+        let t78 = p.per_l2
+            * (per_sin_φ3_minus_φ4 * (t77 - p.l2 * (sin_φ3_minus_φ4_ω3_2 * t50)));
+        let ddω3_2_dφ1_dφ1 = p.per_l2 * (t58 * t9) - t78;
+        let t79 = (p.C2 * (dω3_2_dφ1 * dω3_2_dφ1)
+            + p.C2 * (ω3_2 * ddω3_2_dφ1_dφ1)) * 2.0;
+        let t80 = p.l1 * (dω3_1_dφ1 * cos_φ2_minus_φ3)
+            + p.l1 * (ω3_1_squared * sin_φ2_minus_φ3);
+        let t81 = t80 + p.l2 * (t69 * dω4_2_dφ1)
+            + p.l2 * (ω4_2_cos_φ3_minus_φ4 * t49);
+        let sin_φ3_minus_φ4_ω4_2 = sin_φ3_minus_φ4 * ω4_2;
+        let t82 = p.per_l2
+            * (per_sin_φ3_minus_φ4 * (t81 - p.l2 * (sin_φ3_minus_φ4_ω4_2 * t50)));
+        let ddω4_2_dφ1_dφ1 = p.per_l2 * (t58 * t11) - t82;
+        let t83 = (p.C3 * (dω4_2_dφ1 * dω4_2_dφ1)
+            + p.C3 * (ω4_2 * ddω4_2_dφ1_dφ1)) * 2.0;
+        let t84 = ω4_1_sin_φ2_minus_φ4 * dω4_2_dφ1;
+        let t85 = t79 + t83 + p.two_C5 * t84
+            + p.C5 * (cos_φ2_minus_φ4 * ddω4_2_dφ1_dφ1);
+        let ddM22_dφ1_dφ1 = t85 + p.C5 * (sin_φ2_minus_φ4_ω4_2 * dω4_1_dφ1)
+            - p.C5 * (ω4_1_squared * ω4_2 * cos_φ2_minus_φ4);
+        let C2_dω3_1_dφ2_dω3_2_dφ1 = p.C2 * (dω3_1_dφ2 * dω3_2_dφ1);
+        let C2_dω3_1_dφ1_dω3_2_dφ2 = p.C2 * (dω3_1_dφ1 * dω3_2_dφ2);
+        let t86 = C2_dω3_1_dφ2_dω3_2_dφ1 + p.C2 * (ω3_2 * ddω3_1_dφ2_dφ1)
+            + C2_dω3_1_dφ1_dω3_2_dφ2;
+        let t87 = p.l1 * t42;
+        let t88 = t87 + p.l1 * t13 + p.l2 * (t61 * dω3_2_dφ1)
+            + p.l2 * (ω3_2_cos_φ3_minus_φ4 * t51);
+        let t89 = p.l2 * (sin_φ3_minus_φ4_ω3_2 * t4 * ω3_2_minus_ω4_2);
+        let ddω3_2_dφ2_dφ1 = p.per_l2 * (t58 * t33)
+            - p.per_l2 * (per_sin_φ3_minus_φ4 * (t88 - t89));
+        let C3_dω4_1_dφ2_dω4_2_dφ1 = p.C3 * (dω4_1_dφ2 * dω4_2_dφ1);
+        let t90 = t86 + p.C2 * (ω3_1 * ddω3_2_dφ2_dφ1) + C3_dω4_1_dφ2_dω4_2_dφ1
+            + p.C3 * (ω4_2 * ddω4_1_dφ2_dφ1);
+        let C3_dω4_1_dφ1_dω4_2_dφ2 = p.C3 * (dω4_1_dφ1 * dω4_2_dφ2);
+        let t91 = p.l1 * (ω3_1 * sin_φ2_minus_φ3 * ω3_2_minus_one);
+        let t92 = t91 + p.l1 * (dω3_2_dφ1 * cos_φ2_minus_φ3)
+            + p.l2 * (t61 * dω4_2_dφ1);
+        let t93 = p.l2 * (sin_φ3_minus_φ4_ω4_2 * t4 * ω3_2_minus_ω4_2);
+        let t94 = per_sin_φ3_minus_φ4
+            * (t92 + p.l2 * (ω4_2_cos_φ3_minus_φ4 * t51) - t93);
+        let ddω4_2_dφ2_dφ1 = p.per_l2 * (t58 * t36) - p.per_l2 * t94;
+        let t95 = sin_φ1_minus_φ3 * ω3_1_minus_one;
+        let t96 = p.C4 * (t95 * dω3_2_dφ2);
+        let t97 = p.C4 * (ω3_2_squared * cos_φ1_minus_φ3 * ω3_1_minus_one);
+        let t98 = sin_φ1_minus_φ3_ω3_2 * dω3_2_dφ1;
+        let t99 = t96 + p.C4 * (cos_φ1_minus_φ3 * ddω3_2_dφ2_dφ1) - t97
+            + p.two_C4 * t98;
+        let t100 = t90 + C3_dω4_1_dφ1_dω4_2_dφ2 + p.C3 * (ω4_1 * ddω4_2_dφ2_dφ1)
+            + t99 * 0.5;
+        let t101 = ω4_1_sin_φ2_minus_φ4 * dω4_1_dφ2;
+        let t102 = p.C5 * t84 + p.C5 * (cos_φ2_minus_φ4 * ddω4_1_dφ2_dφ1)
+            + p.C5 * t101;
+        let t103 = p.C5 * (sin_φ2_minus_φ4 * dω4_1_dφ1 * ω4_2_minus_one);
+        let t104 = p.C5 * (ω4_1_squared * cos_φ2_minus_φ4 * ω4_2_minus_one);
+        let ddM12_dφ2_dφ1 = t100 + (t102 + t103 - t104) * 0.5;
+        let ω3_2_ω3_1_minus_one = ω3_2 * ω3_1_minus_one;
+        let k_ω3_2_ω3_1_minus_one = p.k * ω3_2_ω3_1_minus_one;
+        let t105 = p.k * (dω3_2_dφ1 * t23) + k_ω3_2_ω3_1_minus_one
+            + p.k * (dω4_2_dφ1 * t25);
+        let ω4_1_ω4_2_minus_one = ω4_1 * ω4_2_minus_one;
+        let k_ω4_1_ω4_2_minus_one = p.k * ω4_1_ω4_2_minus_one;
+        let t106 = t4 * ω3_2_minus_ω4_2;
+        let t107 = p.k * t106;
+        let ddP_s_dφ2_dφ1 = t105 + k_ω4_1_ω4_2_minus_one + p.k * (t27 * t51) + t107;
+        let t108 = p.two_C2 * (dω3_1_dφ1 * dω3_2_dφ1)
+            + p.C2 * (ω3_2 * ddω3_1_dφ1_dφ1);
+        let t109 = t108 + p.C2 * (ω3_1 * ddω3_2_dφ1_dφ1)
+            + p.two_C3 * (dω4_1_dφ1 * dω4_2_dφ1);
+        let t110 = t109 + p.C3 * (ω4_2 * ddω4_1_dφ1_dφ1)
+            + p.C3 * (ω4_1 * ddω4_2_dφ1_dφ1);
+        let t111 = p.two_C4 * (t95 * dω3_2_dφ1)
+            + p.C4 * (cos_φ1_minus_φ3 * ddω3_2_dφ1_dφ1);
+        let t112 = t111 + t52
+            - p.C4 * (ω3_2_cos_φ1_minus_φ3 * ω3_1_minus_one_squared);
+        let t113 = p.C5 * (cos_φ2_minus_φ4 * ddω4_1_dφ1_dφ1)
+            + p._3_C5 * (ω4_1_sin_φ2_minus_φ4 * dω4_1_dφ1);
+        let ddM12_dφ1_dφ1 = t110 + t112 * 0.5
+            + (t113 - p.C5 * (ω4_1 * ω4_1_squared * cos_φ2_minus_φ4)) * 0.5;
+        let C2_dω3_2_dφ1_dω3_2_dφ2 = p.C2 * (dω3_2_dφ1 * dω3_2_dφ2);
+        let C3_dω4_2_dφ1_dω4_2_dφ2 = p.C3 * (dω4_2_dφ1 * dω4_2_dφ2);
+        let t114 = (C2_dω3_2_dφ1_dω3_2_dφ2 + p.C2 * (ω3_2 * ddω3_2_dφ2_dφ1))
+            * 2.0
+            + (C3_dω4_2_dφ1_dω4_2_dφ2 + p.C3 * (ω4_2 * ddω4_2_dφ2_dφ1)) * 2.0;
+        let t115 = p.C5 * (ω4_1_sin_φ2_minus_φ4 * dω4_2_dφ2);
+        let t116 = sin_φ2_minus_φ4 * ω4_2_minus_one;
+        let t117 = p.C5 * (t116 * dω4_2_dφ1);
+        let t118 = t114 + t115 + p.C5 * (cos_φ2_minus_φ4 * ddω4_2_dφ2_dφ1) + t117
+            + p.C5 * (sin_φ2_minus_φ4_ω4_2 * dω4_2_dφ1);
+        let t119 = p.C5 * (ω4_1_ω4_2 * cos_φ2_minus_φ4 * ω4_2_minus_one);
+        let ddM22_dφ2_dφ1 = t118 - t119;
+        let t120 = p.c + p.c * ω3_1_minus_one_squared + p.c * ω4_1_squared + p.c * t50;
+        let dτ1_ddφ1 = -t120;
+        let t121 = p.c * ω3_2_ω3_1_minus_one + p.c * ω4_1_ω4_2_minus_one
+            + p.c * t106;
+        let dτ2_ddφ1 = -t121;
+        let ddet_M_dφ2 = M22 * dM11_dφ2 + M11 * dM22_dφ2 - M12 * dM12_dφ2 * 2.0;
+        let t122 = per_det_M_squared * ddet_M_dφ2;
+        let t123 = k_ω3_2_ω3_1_minus_one + k_ω4_1_ω4_2_minus_one + t107
+            + p.k * (dω3_1_dφ2 * t23);
+        let t124 = dω3_1_dφ2 - dω4_1_dφ2;
+        let ddP_s_dφ1_dφ2 = t123 + p.k * (dω4_1_dφ2 * t25) + p.k * (t27 * t124);
+        let t125 = t37 - t34;
+        let t126 = sin_φ1_minus_φ3_ω3_2 * dω3_1_dφ2;
+        let t127 = p.l1 * (cos_φ1_minus_φ4 * dω4_2_dφ2)
+            + p.l1 * (sin_φ1_minus_φ4 * ω4_2_squared);
+        let t128 = t127 - p.l2 * (t61 * dω3_1_dφ2)
+            - p.l2 * (ω3_1_cos_φ3_minus_φ4 * t125);
+        let ω3_2_minus_ω4_2_squared = ω3_2_minus_ω4_2 * ω3_2_minus_ω4_2;
+        let t129 = per_sin_φ3_minus_φ4
+            * (t128 + p.l2 * (sin_φ3_minus_φ4_ω3_1 * ω3_2_minus_ω4_2_squared));
+        let t130 = t57 * cos_φ3_minus_φ4;
+        let t131 = t130 * ω3_2_minus_ω4_2;
+        let ddω3_1_dφ2_dφ2 = p.per_l2 * t129 - p.per_l2 * (t131 * t29);
+        let t132 = (p.C2 * (dω3_1_dφ2 * dω3_1_dφ2)
+            + p.C2 * (ω3_1 * ddω3_1_dφ2_dφ2)) * 2.0;
+        let t133 = p.l1 * t38 + p.l1 * t39 - p.l2 * (t61 * dω4_1_dφ2)
+            - p.l2 * (ω4_1_cos_φ3_minus_φ4 * t125);
+        let t134 = per_sin_φ3_minus_φ4
+            * (t133 + p.l2 * (sin_φ3_minus_φ4_ω4_1 * ω3_2_minus_ω4_2_squared));
+        let ddω4_1_dφ2_dφ2 = p.per_l2 * t134 - p.per_l2 * (t131 * t30);
+        let t135 = (p.C3 * (dω4_1_dφ2 * dω4_1_dφ2)
+            + p.C3 * (ω4_1 * ddω4_1_dφ2_dφ2)) * 2.0;
+        let t136 = p.two_C4 * t126 + t132 + t135
+            + p.C4 * (cos_φ1_minus_φ3 * ddω3_1_dφ2_dφ2);
+        let ddM11_dφ2_dφ2 = t136 + p.C4 * (sin_φ1_minus_φ3_ω3_1 * dω3_2_dφ2)
+            - p.C4 * (ω3_1 * ω3_2_squared * cos_φ1_minus_φ3);
+        let t137 = t53 + t55 + p.l1 * (cos_φ1_minus_φ4 * dω4_1_dφ2)
+            - p.l2 * (t69 * dω3_1_dφ2);
+        let t138 = per_sin_φ3_minus_φ4
+            * (t137 - p.l2 * (ω3_1_cos_φ3_minus_φ4 * t124));
+        let ddω3_1_dφ1_dφ2 = p.per_l2 * t138
+            - p.per_l2 * (t130 * t5 * ω3_2_minus_ω4_2);
+        let t139 = t52 + t65 - t67
+            + (C2_dω3_1_dφ1_dω3_1_dφ2 + p.C2 * (ω3_1 * ddω3_1_dφ1_dφ2)) * 2.0;
+        let t140 = t60 + t63 + p.l1 * t31 - p.l2 * (t69 * dω4_1_dφ2)
+            - p.l2 * (ω4_1_cos_φ3_minus_φ4 * t124);
+        let ddω4_1_dφ1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t140)
+            - p.per_l2 * (t131 * t6);
+        let t141 = t139
+            + (C3_dω4_1_dφ1_dω4_1_dφ2 + p.C3 * (ω4_1 * ddω4_1_dφ1_dφ2)) * 2.0;
+        let ddM11_dφ1_dφ2 = t141 + p.C4 * (cos_φ1_minus_φ3 * ddω3_1_dφ1_dφ2)
+            + p.C4 * (sin_φ1_minus_φ3_ω3_1 * dω3_1_dφ2);
+        let t142 = t87 - t89 + p.l1 * t41 + p.l2 * (t69 * dω3_2_dφ2)
+            + p.l2 * (ω3_2_cos_φ3_minus_φ4 * t124);
+        let ddω3_2_dφ1_dφ2 = p.per_l2 * (t131 * t9)
+            - p.per_l2 * (per_sin_φ3_minus_φ4 * t142);
+        let t143 = t115 + t117 - t119
+            + (C2_dω3_2_dφ1_dω3_2_dφ2 + p.C2 * (ω3_2 * ddω3_2_dφ1_dφ2)) * 2.0;
+        let t144 = t91 - t93 + p.l1 * (dω3_1_dφ2 * cos_φ2_minus_φ3)
+            + p.l2 * (t69 * dω4_2_dφ2);
+        let t145 = per_sin_φ3_minus_φ4
+            * (t144 + p.l2 * (ω4_2_cos_φ3_minus_φ4 * t124));
+        let ddω4_2_dφ1_dφ2 = p.per_l2 * (t131 * t11) - p.per_l2 * t145;
+        let t146 = t143
+            + (C3_dω4_2_dφ1_dω4_2_dφ2 + p.C3 * (ω4_2 * ddω4_2_dφ1_dφ2)) * 2.0;
+        let ddM22_dφ1_dφ2 = t146 + p.C5 * (cos_φ2_minus_φ4 * ddω4_2_dφ1_dφ2)
+            + p.C5 * (sin_φ2_minus_φ4_ω4_2 * dω4_1_dφ2);
+        let t147 = p.two_C2 * (dω3_1_dφ2 * dω3_2_dφ2)
+            + p.C2 * (ω3_2 * ddω3_1_dφ2_dφ2);
+        let ω4_2_minus_one_squared = ω4_2_minus_one * ω4_2_minus_one;
+        let t148 = p.l1 * (sin_φ2_minus_φ4 * ω4_2_minus_one_squared) + p.l1 * t46
+            + p.l2 * (t61 * dω3_2_dφ2);
+        let t149 = t148 + p.l2 * (ω3_2_cos_φ3_minus_φ4 * t125)
+            - p.l2 * (sin_φ3_minus_φ4_ω3_2 * ω3_2_minus_ω4_2_squared);
+        let ddω3_2_dφ2_dφ2 = p.per_l2 * (t131 * t33)
+            - p.per_l2 * (per_sin_φ3_minus_φ4 * t149);
+        let t150 = t147 + p.C2 * (ω3_1 * ddω3_2_dφ2_dφ2)
+            + p.two_C3 * (dω4_1_dφ2 * dω4_2_dφ2);
+        let t151 = p.l1 * (sin_φ2_minus_φ3 * (ω3_2_minus_one * ω3_2_minus_one))
+            + p.l1 * (dω3_2_dφ2 * cos_φ2_minus_φ3);
+        let t152 = t151 + p.l2 * (t61 * dω4_2_dφ2)
+            + p.l2 * (ω4_2_cos_φ3_minus_φ4 * t125);
+        let t153 = per_sin_φ3_minus_φ4
+            * (t152 - p.l2 * (sin_φ3_minus_φ4_ω4_2 * ω3_2_minus_ω4_2_squared));
+        let ddω4_2_dφ2_dφ2 = p.per_l2 * (t131 * t36) - p.per_l2 * t153;
+        let t154 = t150 + p.C3 * (ω4_2 * ddω4_1_dφ2_dφ2)
+            + p.C3 * (ω4_1 * ddω4_2_dφ2_dφ2);
+        let t155 = p._3_C4 * (sin_φ1_minus_φ3_ω3_2 * dω3_2_dφ2)
+            + p.C4 * (cos_φ1_minus_φ3 * ddω3_2_dφ2_dφ2);
+        let t156 = t154
+            + (t155 - p.C4 * (ω3_2 * ω3_2_squared * cos_φ1_minus_φ3)) * 0.5;
+        let t157 = t115 + p.C5 * (cos_φ2_minus_φ4 * ddω4_1_dφ2_dφ2)
+            + p.two_C5 * (sin_φ2_minus_φ4 * dω4_1_dφ2 * ω4_2_minus_one);
+        let t158 = (t157 - p.C5 * (ω4_1_cos_φ2_minus_φ4 * ω4_2_minus_one_squared))
+            * 0.5;
+        let ddM12_dφ2_dφ2 = t156 + t158;
+        let t159 = p.k + p.k * (dω3_2_dφ2 * t23) + p.k * ω3_2_squared
+            + p.k * (dω4_2_dφ2 * t25);
+        let ddP_s_dφ2_dφ2 = t159 + p.k * ω4_2_minus_one_squared + p.k * (t27 * t125)
+            + p.k * ω3_2_minus_ω4_2_squared;
+        let t160 = C2_dω3_1_dφ2_dω3_2_dφ1 + C2_dω3_1_dφ1_dω3_2_dφ2
+            + C3_dω4_1_dφ2_dω4_2_dφ1;
+        let t161 = t160 + C3_dω4_1_dφ1_dω4_2_dφ2 + p.C2 * (ω3_2 * ddω3_1_dφ1_dφ2)
+            + p.C2 * (ω3_1 * ddω3_2_dφ1_dφ2);
+        let t162 = t161 + p.C3 * (ω4_2 * ddω4_1_dφ1_dφ2)
+            + p.C3 * (ω4_1 * ddω4_2_dφ1_dφ2);
+        let t163 = t96 - t97 + p.C4 * t98
+            + p.C4 * (cos_φ1_minus_φ3 * ddω3_2_dφ1_dφ2);
+        let t164 = p.two_C5 * t101 + t103 - t104
+            + p.C5 * (cos_φ2_minus_φ4 * ddω4_1_dφ1_dφ2);
+        let ddM12_dφ1_dφ2 = t162 + (t163 + p.C4 * t126) * 0.5 + t164 * 0.5;
+        let t165 = (p.C2 * (dω3_2_dφ2 * dω3_2_dφ2)
+            + p.C2 * (ω3_2 * ddω3_2_dφ2_dφ2)) * 2.0;
+        let t166 = (p.C3 * (dω4_2_dφ2 * dω4_2_dφ2)
+            + p.C3 * (ω4_2 * ddω4_2_dφ2_dφ2)) * 2.0;
+        let t167 = t165 + t166 + p.two_C5 * (t116 * dω4_2_dφ2)
+            + p.C5 * (cos_φ2_minus_φ4 * ddω4_2_dφ2_dφ2);
+        let ddM22_dφ2_dφ2 = t167 + p.C5 * (sin_φ2_minus_φ4_ω4_2 * dω4_2_dφ2)
+            - p.C5 * (ω4_2_cos_φ2_minus_φ4 * ω4_2_minus_one_squared);
+        let t168 = p.c + p.c * ω3_2_squared + p.c * ω4_2_minus_one_squared
+            + p.c * ω3_2_minus_ω4_2_squared;
+        let dτ2_ddφ2 = -t168;
         // ── state ──
-        let t241 = p.constant1 * t;
-        let (t242, t243) = t241.sin_cos();
-        let t244 = ω3_left_crank_minus_one * dφ1 + ω3_right_crank * dφ2;
-        let t245 = ω4_left_crank * dφ1 + ω4_right_crank_minus_one * dφ2;
-        let t246 = p.left_torque * t242 - p.c * dφ1 - t50 * t244
-            - c_ω4_left_crank * t245;
-        let t247 = t13 * dφ1 + t52 * dφ2;
+        let t169 = p.constant1 * t;
+        let (t170, t171) = t169.sin_cos();
+        let t172 = ω3_1_minus_one * dφ1 + ω3_2 * dφ2;
+        let t173 = ω4_1 * dφ1 + ω4_2_minus_one * dφ2;
+        let t174 = p.left_torque * t170 - p.c * dφ1 - c_ω3_1_minus_one * t172
+            - c_ω4_1 * t173;
+        let t175 = t4 * dφ1 + ω3_2_minus_ω4_2 * dφ2;
         // generalized torque of all other forces
-        let τ_1 = t246 - t51 * t247;
+        let τ1 = t174 - t28 * t175;
         let dφ1_dφ2 = dφ1 * dφ2;
-        let dφ2_squared = dφ2 * dφ2;
         let dφ1_squared = dφ1 * dφ1;
-        let t248 = t60 * dφ1_dφ2 + t74 * dφ2_squared
-            + dM_left_crank_dφ1 * 0.5 * dφ1_squared;
+        let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
-        let h_left_crank = t248 + t59 * dφ1_dφ2;
-        let t249 = dP_s_dφ1 - τ_1 + h_left_crank;
-        let t250 = p.right_torque * t243 - p.c * dφ2 - c_ω3_right_crank * t244
-            - t76 * t245;
+        let h1 = dM11_dφ2 * dφ1_dφ2 + dM11_dφ1 * 0.5 * dφ1_squared
+            - t43 * dφ2_squared;
+        let t176 = dP_s_dφ1 - τ1 + h1;
+        let t177 = p.right_torque * t171 - p.c * dφ2 - c_ω3_2 * t172
+            - c_ω4_2_minus_one * t173;
         // generalized torque of all other forces
-        let τ_2 = t250 - t77 * t247;
+        let τ2 = t177 - c_ω3_2_minus_ω4_2 * t175;
         // centrifugal and Coriolis terms
-        let h_right_crank = t78 * dφ1_squared + t80 * dφ1_dφ2 + t79 * dφ1_dφ2
-            + dM_right_crank_dφ2 * 0.5 * dφ2_squared;
-        let t251 = dP_s_dφ2 - τ_2 + h_right_crank;
-        let t252 = M_right_crank * t249 - M_left_crank_right_crank * t251;
-        let t253 = dω3_left_crank_dφ1 * dφ1 + dω3_right_crank_dφ1 * dφ2;
-        let t254 = p.c * dω3_left_crank_dφ1 * t244 + t50 * t253
-            + p.c * dω4_left_crank_dφ1 * t245;
-        let t255 = dω4_left_crank_dφ1 * dφ1 + dω4_right_crank_dφ1 * dφ2;
-        let t256 = t87 * dφ1 + t89 * dφ2;
-        let t257 = ddP_s_dφ1_dφ1
-            + (t254 + c_ω4_left_crank * t255 + p.c * t87 * t247 + t51 * t256);
-        let t258 = (t109 - t130) * dφ1_dφ2 + (t156 - t161 * 0.5) * dφ2_squared
-            + t166 * 0.5 * dφ1_squared;
-        let dh_left_crank_dφ1 = t258 + t130 * dφ1_dφ2;
-        let t259 = t257 + dh_left_crank_dφ1;
-        let t260 = p.c * dω3_right_crank_dφ1 * t244 + c_ω3_right_crank * t253
-            + p.c * dω4_right_crank_dφ1 * t245;
-        let t261 = ddP_s_dφ2_dφ1 + (t260 + t76 * t255 + p.c * t89 * t247 + t77 * t256);
-        let t262 = (t129 - t109 * 0.5) * dφ1_squared + (t161 - t174) * dφ1_dφ2
-            + t174 * dφ1_dφ2;
-        let t263 = (t179 + t181 + p.C5 * (t83 * dω4_right_crank_dφ1) - t182) * 0.5
-            * dφ2_squared;
-        let dh_right_crank_dφ1 = t262 + t263;
-        let t264 = t261 + dh_right_crank_dφ1;
-        let t265 = dM_right_crank_dφ1 * t249 + M_right_crank * t259 - t41 * t251
-            - M_left_crank_right_crank * t264;
-        let dddφ1_dφ1 = t43 * t252 - t84 * t265;
-        let dh_left_crank_ddφ1 = t60 * dφ2 + dM_left_crank_dφ1 * dφ1 + t59 * dφ2;
-        let t266 = dτ_1_ddφ1 - dh_left_crank_ddφ1;
-        let dh_right_crank_ddφ1 = t78 * 2.0 * dφ1 + t80 * dφ2 + t79 * dφ2;
-        let t267 = dτ_2_ddφ1 - dh_right_crank_ddφ1;
-        let dddφ1_ddφ1 = t84
-            * (M_right_crank * t266 - M_left_crank_right_crank * t267);
-        let t268 = dω3_left_crank_dφ2 * dφ1 + dω3_right_crank_dφ2 * dφ2;
-        let t269 = p.c * dω3_left_crank_dφ2 * t244 + t50 * t268
-            + p.c * dω4_left_crank_dφ2 * t245;
-        let t270 = dω4_left_crank_dφ2 * dφ1 + dω4_right_crank_dφ2 * dφ2;
-        let t271 = t188 * dφ1 + t189 * dφ2;
-        let t272 = ddP_s_dφ1_dφ2
-            + (t269 + c_ω4_left_crank * t270 + p.c * t188 * t247 + t51 * t271);
-        let t273 = (t201 - t212) * dφ1_dφ2 + (t226 - t229 * 0.5) * dφ2_squared
-            + t232 * 0.5 * dφ1_squared;
-        let dh_left_crank_dφ2 = t273 + t212 * dφ1_dφ2;
-        let t274 = t272 + dh_left_crank_dφ2;
-        let t275 = p.c * dω3_right_crank_dφ2 * t244 + c_ω3_right_crank * t268
-            + p.c * dω4_right_crank_dφ2 * t245;
-        let t276 = ddP_s_dφ2_dφ2
-            + (t275 + t76 * t270 + p.c * t189 * t247 + t77 * t271);
-        let t277 = (t211 - t201 * 0.5) * dφ1_squared + (t229 - t235) * dφ1_dφ2
-            + t235 * dφ1_dφ2;
-        let dh_right_crank_dφ2 = t277
-            + (t239 - p.C5 * (t6 * t214)) * 0.5 * dφ2_squared;
-        let t278 = t276 + dh_right_crank_dφ2;
-        let t279 = dM_right_crank_dφ2 * t249 + M_right_crank * t274 - t73 * t251
-            - M_left_crank_right_crank * t278;
-        let dddφ1_dφ2 = t186 * t252 - t84 * t279;
-        let dh_left_crank_ddφ2 = t60 * dφ1 + t74 * 2.0 * dφ2 + t59 * dφ1;
-        let t280 = dτ_2_ddφ1 - dh_left_crank_ddφ2;
-        let dh_right_crank_ddφ2 = t80 * dφ1 + t79 * dφ1 + dM_right_crank_dφ2 * dφ2;
-        let t281 = dτ_2_ddφ2 - dh_right_crank_ddφ2;
-        let dddφ1_ddφ2 = t84
-            * (M_right_crank * t280 - M_left_crank_right_crank * t281);
-        let t282 = M_left_crank * t251 - M_left_crank_right_crank * t249;
-        let t283 = dM_left_crank_dφ1 * t251 + M_left_crank * t264 - t41 * t249
-            - M_left_crank_right_crank * t259;
-        let dddφ2_dφ1 = t43 * t282 - t84 * t283;
-        let dddφ2_ddφ1 = t84 * (M_left_crank * t267 - M_left_crank_right_crank * t266);
-        let t284 = dM_left_crank_dφ2 * t251 + M_left_crank * t278 - t73 * t249
-            - M_left_crank_right_crank * t274;
-        let dddφ2_dφ2 = t186 * t282 - t84 * t284;
-        let dddφ2_ddφ2 = t84 * (M_left_crank * t281 - M_left_crank_right_crank * t280);
+        let h2 = t45 * dφ1_squared + dM22_dφ1 * dφ1_dφ2
+            + dM22_dφ2 * 0.5 * dφ2_squared;
+        let t178 = dP_s_dφ2 - τ2 + h2;
+        let t179 = M22 * t176 - M12 * t178;
+        let t180 = dω3_1_dφ1 * dφ1 + dω3_2_dφ1 * dφ2;
+        let t181 = p.c * dω3_1_dφ1 * t172 + c_ω3_1_minus_one * t180
+            + p.c * dω4_1_dφ1 * t173;
+        let t182 = dω4_1_dφ1 * dφ1 + dω4_2_dφ1 * dφ2;
+        let t183 = t49 * dφ1 + t51 * dφ2;
+        let t184 = ddP_s_dφ1_dφ1
+            + (t181 + c_ω4_1 * t182 + p.c * t49 * t175 + t28 * t183);
+        let dh1_dφ1 = ddM11_dφ2_dφ1 * dφ1_dφ2 + ddM11_dφ1_dφ1 * 0.5 * dφ1_squared
+            - (ddM22_dφ1_dφ1 * 0.5 - ddM12_dφ2_dφ1) * dφ2_squared;
+        let t185 = t184 + dh1_dφ1;
+        let t186 = p.c * dω3_2_dφ1 * t172 + c_ω3_2 * t180 + p.c * dω4_2_dφ1 * t173;
+        let t187 = t186 + c_ω4_2_minus_one * t182 + p.c * t51 * t175
+            + c_ω3_2_minus_ω4_2 * t183;
+        let t188 = (ddM12_dφ1_dφ1 - ddM11_dφ2_dφ1 * 0.5) * dφ1_squared
+            + ddM22_dφ1_dφ1 * dφ1_dφ2;
+        let dh2_dφ1 = t188 + ddM22_dφ2_dφ1 * 0.5 * dφ2_squared;
+        let t189 = ddP_s_dφ2_dφ1 + t187 + dh2_dφ1;
+        let t190 = per_det_M
+            * (dM22_dφ1 * t176 + M22 * t185 - dM12_dφ1 * t178 - M12 * t189);
+        let dddφ1_dφ1 = t21 * t179 - t190;
+        let dh1_ddφ1 = dM11_dφ2 * dφ2 + dM11_dφ1 * dφ1;
+        let dτ1_ddφ1_minus_dh1_ddφ1 = dτ1_ddφ1 - dh1_ddφ1;
+        let dh2_ddφ1 = t45 * 2.0 * dφ1 + dM22_dφ1 * dφ2;
+        let dτ2_ddφ1_minus_dh2_ddφ1 = dτ2_ddφ1 - dh2_ddφ1;
+        let dddφ1_ddφ1 = per_det_M
+            * (M22 * dτ1_ddφ1_minus_dh1_ddφ1 - M12 * dτ2_ddφ1_minus_dh2_ddφ1);
+        let t191 = dω3_1_dφ2 * dφ1 + dω3_2_dφ2 * dφ2;
+        let t192 = p.c * dω3_1_dφ2 * t172 + c_ω3_1_minus_one * t191
+            + p.c * dω4_1_dφ2 * t173;
+        let t193 = dω4_1_dφ2 * dφ1 + dω4_2_dφ2 * dφ2;
+        let t194 = t124 * dφ1 + t125 * dφ2;
+        let t195 = ddP_s_dφ1_dφ2
+            + (t192 + c_ω4_1 * t193 + p.c * t124 * t175 + t28 * t194);
+        let dh1_dφ2 = ddM11_dφ2_dφ2 * dφ1_dφ2 + ddM11_dφ1_dφ2 * 0.5 * dφ1_squared
+            - (ddM22_dφ1_dφ2 * 0.5 - ddM12_dφ2_dφ2) * dφ2_squared;
+        let t196 = t195 + dh1_dφ2;
+        let t197 = p.c * dω3_2_dφ2 * t172 + c_ω3_2 * t191 + p.c * dω4_2_dφ2 * t173;
+        let t198 = t197 + c_ω4_2_minus_one * t193 + p.c * t125 * t175
+            + c_ω3_2_minus_ω4_2 * t194;
+        let t199 = (ddM12_dφ1_dφ2 - ddM11_dφ2_dφ2 * 0.5) * dφ1_squared
+            + ddM22_dφ1_dφ2 * dφ1_dφ2;
+        let dh2_dφ2 = t199 + ddM22_dφ2_dφ2 * 0.5 * dφ2_squared;
+        let t200 = ddP_s_dφ2_dφ2 + t198 + dh2_dφ2;
+        let t201 = per_det_M
+            * (dM22_dφ2 * t176 + M22 * t196 - dM12_dφ2 * t178 - M12 * t200);
+        let dddφ1_dφ2 = t122 * t179 - t201;
+        let dh1_ddφ2 = dM11_dφ2 * dφ1 - t43 * 2.0 * dφ2;
+        let dτ2_ddφ1_minus_dh1_ddφ2 = dτ2_ddφ1 - dh1_ddφ2;
+        let dh2_ddφ2 = dM22_dφ1 * dφ1 + dM22_dφ2 * dφ2;
+        let dτ2_ddφ2_minus_dh2_ddφ2 = dτ2_ddφ2 - dh2_ddφ2;
+        let dddφ1_ddφ2 = per_det_M
+            * (M22 * dτ2_ddφ1_minus_dh1_ddφ2 - M12 * dτ2_ddφ2_minus_dh2_ddφ2);
+        let t202 = M11 * t178 - M12 * t176;
+        let t203 = per_det_M
+            * (dM11_dφ1 * t178 + M11 * t189 - dM12_dφ1 * t176 - M12 * t185);
+        let dddφ2_dφ1 = t21 * t202 - t203;
+        let dddφ2_ddφ1 = per_det_M
+            * (M11 * dτ2_ddφ1_minus_dh2_ddφ1 - M12 * dτ1_ddφ1_minus_dh1_ddφ1);
+        let t204 = per_det_M
+            * (dM11_dφ2 * t178 + M11 * t200 - dM12_dφ2 * t176 - M12 * t196);
+        let dddφ2_dφ2 = t122 * t202 - t204;
+        let dddφ2_ddφ2 = per_det_M
+            * (M11 * dτ2_ddφ2_minus_dh2_ddφ2 - M12 * dτ2_ddφ1_minus_dh1_ddφ2);
         result[1] = T::from_f64(1.0);
         result[4] = dddφ1_dφ1;
         result[5] = dddφ1_ddφ1;
@@ -1195,7 +1168,7 @@ pub mod five_bar {
         let Y = p.l1 * sin_φ2 - l1_sin_φ1;
         // its length squared
         let D = X * X + Y * Y;
-        let η = p.half_s * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
+        let η = p.half_ε * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
         let c3 = p.per_l2 * (X * 0.5 - Y * η);
         let P_x = l1_cos_φ1 + p.l2 * c3;
         let s3 = p.per_l2 * (Y * 0.5 + X * η);
@@ -1228,74 +1201,70 @@ pub mod five_bar {
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
-        let η = p.half_s * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
+        let η = p.half_ε * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
         let X_η = X * η;
         let s3 = p.per_l2 * (half_Y + X_η);
         let half_X = X * 0.5;
         let Y_η = Y * η;
-        let c4 = -(p.per_l2 * (X - half_X + Y_η));
+        let c4 = -(p.per_l2 * (half_X + Y_η));
         let c3 = p.per_l2 * (half_X - Y_η);
-        let s4 = p.per_l2 * (half_Y - Y + X_η);
+        let s4 = -(p.per_l2 * (half_Y - X_η));
         let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         let per_sin_φ3_minus_φ4 = sin_φ3_minus_φ4.recip();
         let sin_φ1_minus_φ4 = sin_φ1 * c4 - cos_φ1 * s4;
         let t1 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ1_minus_φ4);
         // rate of the angle of `left_coupler` per unit rate of `left_crank`
-        let ω3_left_crank = -t1;
+        let ω3_1 = -t1;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         let t2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ1_minus_φ3);
         // rate of the angle of `right_coupler` per unit rate of `left_crank`
-        let ω4_left_crank = -t2;
-        let t3 = p.C0 + p.C2 * (ω3_left_crank * ω3_left_crank)
-            + p.C3 * (ω4_left_crank * ω4_left_crank);
+        let ω4_1 = -t2;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         // inertia
-        let M_left_crank = t3 + p.C4 * (ω3_left_crank * cos_φ1_minus_φ3);
+        let M11 = p.C0 + p.C2 * (ω3_1 * ω3_1) + p.C3 * (ω4_1 * ω4_1)
+            + p.C4 * (ω3_1 * cos_φ1_minus_φ3);
         let sin_φ2_minus_φ4 = sin_φ2 * c4 - cos_φ2 * s4;
         // rate of the angle of `left_coupler` per unit rate of `right_crank`
-        let ω3_right_crank = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ4);
+        let ω3_2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ4);
         let sin_φ2_minus_φ3 = sin_φ2 * c3 - cos_φ2 * s3;
         // rate of the angle of `right_coupler` per unit rate of `right_crank`
-        let ω4_right_crank = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ3);
-        let t4 = p.C2 * (ω3_left_crank * ω3_right_crank)
-            + p.C3 * (ω4_left_crank * ω4_right_crank);
+        let ω4_2 = p.l1_per_l2 * (per_sin_φ3_minus_φ4 * sin_φ2_minus_φ3);
+        let t3 = p.C2 * (ω3_1 * ω3_2) + p.C3 * (ω4_1 * ω4_2)
+            + p.half_C4 * (ω3_2 * cos_φ1_minus_φ3);
         let cos_φ2_minus_φ4 = cos_φ2 * c4 + sin_φ2 * s4;
         // inertia
-        let M_left_crank_right_crank = t4
-            + p.half_C4 * (ω3_right_crank * cos_φ1_minus_φ3)
-            + p.half_C5 * (ω4_left_crank * cos_φ2_minus_φ4);
-        let t5 = p.C1 + p.C2 * (ω3_right_crank * ω3_right_crank)
-            + p.C3 * (ω4_right_crank * ω4_right_crank);
+        let M12 = t3 + p.half_C5 * (ω4_1 * cos_φ2_minus_φ4);
         // inertia
-        let M_right_crank = t5 + p.C5 * (ω4_right_crank * cos_φ2_minus_φ4);
-        let t6 = φ1 - 2.0943951023931953;
-        let t7 = φ2 - 1.0471975511965976;
-        let t8 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let M22 = p.C1 + p.C2 * (ω3_2 * ω3_2) + p.C3 * (ω4_2 * ω4_2)
+            + p.C5 * (ω4_2 * cos_φ2_minus_φ4);
+        let t4 = φ1 - 2.0943951023931953;
+        let t5 = φ2 - 1.0471975511965976;
+        let t6 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `left_coupler` from the assembled one
-        let φ3_minus_φ3_0 = t8.unwrap_to(turn_left_coupler);
-        let t9 = T::from_f64(2.0943951023931953) - φ1 + φ3_minus_φ3_0;
-        let t10 = p.half_k * (t6 * t6) + p.half_k * (t7 * t7) + p.half_k * (t9 * t9);
-        let t11 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let φ3_minus_φ3_0 = t6.unwrap_to(turn_left_coupler);
+        let t7 = T::from_f64(2.0943951023931953) - φ1 + φ3_minus_φ3_0;
+        let t8 = p.half_k * (t4 * t4) + p.half_k * (t5 * t5) + p.half_k * (t7 * t7);
+        let t9 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `right_coupler` from the assembled one
-        let φ4_minus_φ4_0 = t11.unwrap_to(turn_right_coupler);
-        let t12 = T::from_f64(1.0471975511965976) - φ2 + φ4_minus_φ4_0;
-        let t13 = φ4_minus_φ4_0 - φ3_minus_φ3_0;
+        let φ4_minus_φ4_0 = t9.unwrap_to(turn_right_coupler);
+        let t10 = T::from_f64(1.0471975511965976) - φ2 + φ4_minus_φ4_0;
+        let t11 = φ4_minus_φ4_0 - φ3_minus_φ3_0;
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;
-        let t14 = M_left_crank * 0.5 * dφ1_squared
-            + M_left_crank_right_crank * (dφ1 * dφ2);
         let dφ2_squared = dφ2 * dφ2;
-        let t15 = (ω3_left_crank - 1.0) * dφ1 + ω3_right_crank * dφ2;
-        let t16 = ω4_left_crank * dφ1 + (ω4_right_crank - 1.0) * dφ2;
-        let t17 = p.c * dφ1_squared + p.c * dφ2_squared + p.c * (t15 * t15)
-            + p.c * (t16 * t16);
-        let t18 = (t2 - t1) * dφ1 + (ω3_right_crank - ω4_right_crank) * dφ2;
-        let t19 = p.constant1 * t;
-        let (t20, t21) = t19.sin_cos();
-        result[0] = t14 + M_right_crank * 0.5 * dφ2_squared;
-        result[1] = t10 + p.half_k * (t12 * t12) + p.half_k * (t13 * t13);
-        result[2] = t17 + p.c * (t18 * t18);
-        result[3] = p.left_torque * (t20 * dφ1) + p.right_torque * (t21 * dφ2);
+        let t12 = M11 * 0.5 * dφ1_squared + M12 * (dφ1 * dφ2)
+            + M22 * 0.5 * dφ2_squared;
+        let t13 = (ω3_1 - 1.0) * dφ1 + ω3_2 * dφ2;
+        let t14 = ω4_1 * dφ1 + (ω4_2 - 1.0) * dφ2;
+        let t15 = p.c * dφ1_squared + p.c * dφ2_squared + p.c * (t13 * t13)
+            + p.c * (t14 * t14);
+        let t16 = (t2 - t1) * dφ1 + (ω3_2 - ω4_2) * dφ2;
+        let t17 = p.constant1 * t;
+        let (t18, t19) = t17.sin_cos();
+        result[0] = t12;
+        result[1] = t8 + p.half_k * (t10 * t10) + p.half_k * (t11 * t11);
+        result[2] = t15 + p.c * (t16 * t16);
+        result[3] = p.left_torque * (t18 * dφ1) + p.right_torque * (t19 * dφ2);
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]
@@ -1352,7 +1321,7 @@ pub mod five_bar {
         let X = p.base + p.l1 * cos_φ2 - p.l1 * cos_φ1;
         // its length squared
         let D = X * X + Y * Y;
-        let η = p.half_s * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
+        let η = p.half_ε * (D.recip() * (D * (p._4_l2_squared - D)).sqrt());
         let X_η = X * η;
         let s3 = p.per_l2 * (half_Y + X_η);
         let half_X = X * 0.5;
@@ -1361,8 +1330,8 @@ pub mod five_bar {
         let t1 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `left_coupler` from the assembled one
         let φ3_minus_φ3_0 = t1.unwrap_to(turn_left_coupler);
-        let s4 = p.per_l2 * (half_Y - Y + X_η);
-        let c4 = -(p.per_l2 * (X - half_X + Y_η));
+        let s4 = -(p.per_l2 * (half_Y - X_η));
+        let c4 = -(p.per_l2 * (half_X + Y_η));
         let t2 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `right_coupler` from the assembled one
         let φ4_minus_φ4_0 = t2.unwrap_to(turn_right_coupler);
@@ -1906,43 +1875,31 @@ Loop left_crank–left_coupler–right_coupler–right_crank
   X  = base + l1 cos(φ2) - l1 cos(φ1)
   Y  = l1 sin(φ2) - l1 sin(φ1)
   D  = X² + Y²
-  κ  = ½
-  η  = s sqrt(D (4 l2² - D)) / (2 D)
-  c3 = (X κ - Y η) / l2
-  s3 = (Y κ + X η) / l2
-  c4 = -(X - X κ + Y η) / l2
-  s4 = (Y κ - Y + X η) / l2
+  η  = ε sqrt(D (4 l2² - D)) / (2 D)
+  c3 = (½ X - Y η) / l2
+  s3 = (½ Y + X η) / l2
+  c4 = -(½ X + Y η) / l2
+  s4 = (X η - ½ Y) / l2
 
   φ3 = atan2(s3, c3), φ4 = atan2(s4, c4), continuous over many turns; ⁰: as assembled
+  ω3_1 = ∂φ3/∂φ1, ω4_1 = ∂φ4/∂φ1, ω3_2 = ∂φ3/∂φ2, ω4_2 = ∂φ4/∂φ2
 
-  ω3_left_crank  = l1 sin(φ4 - φ1) / (l2 sin(φ3 - φ4))
-  ω4_left_crank  = l1 sin(φ3 - φ1) / (l2 sin(φ3 - φ4))
-  ω3_right_crank = l1 sin(φ2 - φ4) / (l2 sin(φ3 - φ4))
-  ω4_right_crank = l1 sin(φ2 - φ3) / (l2 sin(φ3 - φ4))
-  ∂ω3_left_crank/∂φ1 = (l1 (ω4_left_crank - 1) cos(φ1 - φ4)
-                         + l2 ω3_left_crank (ω4_left_crank - ω3_left_crank) cos(φ3 - φ4))
-                         / (l2 sin(φ3 - φ4))
-  ∂ω3_left_crank/∂φ2 = (l1 ω4_right_crank cos(φ1 - φ4)
-                         + l2 ω3_left_crank (ω4_right_crank - ω3_right_crank) cos(φ3 - φ4))
-                         / (l2 sin(φ3 - φ4))
-  ∂ω4_left_crank/∂φ1 = (l1 (ω3_left_crank - 1) cos(φ1 - φ3)
-                         + l2 ω4_left_crank (ω4_left_crank - ω3_left_crank) cos(φ3 - φ4))
-                         / (l2 sin(φ3 - φ4))
-  ∂ω4_left_crank/∂φ2 = (l1 ω3_right_crank cos(φ1 - φ3)
-                         + l2 ω4_left_crank (ω4_right_crank - ω3_right_crank) cos(φ3 - φ4))
-                         / (l2 sin(φ3 - φ4))
-  ∂ω3_right_crank/∂φ1 = (l1 ω4_left_crank cos(φ2 - φ4)
-                          + l2 ω3_right_crank (ω3_left_crank - ω4_left_crank) cos(φ3 - φ4))
-                          / (l2 sin(φ4 - φ3))
-  ∂ω3_right_crank/∂φ2 = (l1 (ω4_right_crank - 1) cos(φ2 - φ4)
-                          + l2 ω3_right_crank (ω3_right_crank - ω4_right_crank) cos(φ3 - φ4))
-                          / (l2 sin(φ4 - φ3))
-  ∂ω4_right_crank/∂φ1 = (l1 ω3_left_crank cos(φ2 - φ3)
-                          + l2 ω4_right_crank (ω3_left_crank - ω4_left_crank) cos(φ3 - φ4))
-                          / (l2 sin(φ4 - φ3))
-  ∂ω4_right_crank/∂φ2 = (l1 (ω3_right_crank - 1) cos(φ2 - φ3)
-                          + l2 ω4_right_crank (ω3_right_crank - ω4_right_crank) cos(φ3 - φ4))
-                          / (l2 sin(φ4 - φ3))
+  ω3_1      = l1 sin(φ4 - φ1) / (l2 sin(φ3 - φ4))
+  ω4_1      = l1 sin(φ3 - φ1) / (l2 sin(φ3 - φ4))
+  ω3_2      = l1 sin(φ2 - φ4) / (l2 sin(φ3 - φ4))
+  ω4_2      = l1 sin(φ2 - φ3) / (l2 sin(φ3 - φ4))
+  ∂ω3_1/∂φ1 = (l1 (ω4_1 - 1) cos(φ1 - φ4) + l2 ω3_1 (ω4_1 - ω3_1) cos(φ3 - φ4))
+                / (l2 sin(φ3 - φ4))
+  ∂ω3_1/∂φ2 = (l1 ω4_2 cos(φ1 - φ4) + l2 ω3_1 (ω4_2 - ω3_2) cos(φ3 - φ4)) / (l2 sin(φ3 - φ4))
+  ∂ω4_1/∂φ1 = (l1 (ω3_1 - 1) cos(φ1 - φ3) + l2 ω4_1 (ω4_1 - ω3_1) cos(φ3 - φ4))
+                / (l2 sin(φ3 - φ4))
+  ∂ω4_1/∂φ2 = (l1 ω3_2 cos(φ1 - φ3) + l2 ω4_1 (ω4_2 - ω3_2) cos(φ3 - φ4)) / (l2 sin(φ3 - φ4))
+  ∂ω3_2/∂φ1 = (l1 ω4_1 cos(φ2 - φ4) + l2 ω3_2 (ω3_1 - ω4_1) cos(φ3 - φ4)) / (l2 sin(φ4 - φ3))
+  ∂ω3_2/∂φ2 = (l1 (ω4_2 - 1) cos(φ2 - φ4) + l2 ω3_2 (ω3_2 - ω4_2) cos(φ3 - φ4))
+                / (l2 sin(φ4 - φ3))
+  ∂ω4_2/∂φ1 = (l1 ω3_1 cos(φ2 - φ3) + l2 ω4_2 (ω3_1 - ω4_1) cos(φ3 - φ4)) / (l2 sin(φ4 - φ3))
+  ∂ω4_2/∂φ2 = (l1 (ω3_2 - 1) cos(φ2 - φ3) + l2 ω4_2 (ω3_2 - ω4_2) cos(φ3 - φ4))
+                / (l2 sin(φ4 - φ3))
 
 Constants of the inertia
 ────────────────────────
@@ -1957,98 +1914,74 @@ Constants of the inertia
 Equations of motion of `left_crank`, `right_crank`
 ──────────────────────────────────────────────────
 
-  M_left_crank  = C0 + C2 ω3_left_crank² + C3 ω4_left_crank² + C4 ω3_left_crank cos(φ1 - φ3)
-  M_left_crank_right_crank = C2 ω3_left_crank ω3_right_crank
-                           + C3 ω4_left_crank ω4_right_crank
-                           + ½ C4 ω3_right_crank cos(φ1 - φ3)
-                           + ½ C5 ω4_left_crank cos(φ2 - φ4)
-  M_right_crank = C1 + C2 ω3_right_crank² + C3 ω4_right_crank² + C5 ω4_right_crank cos(φ2 - φ4)
-  h_left_crank  = φ̇1 φ̇2 (2 C2 ω3_left_crank ∂ω3_left_crank/∂φ2
-                    + 2 C3 ω4_left_crank ∂ω4_left_crank/∂φ2 + C4 ∂ω3_left_crank/∂φ2 cos(φ1 - φ3)
-                    + C4 ω3_left_crank ω3_right_crank sin(φ1 - φ3)
-                    - ½ (C2 ω3_right_crank ∂ω3_left_crank/∂φ1
-                    + C2 ω3_left_crank ∂ω3_right_crank/∂φ1
-                    + C3 ω4_right_crank ∂ω4_left_crank/∂φ1
-                    + C3 ω4_left_crank ∂ω4_right_crank/∂φ1
-                    + ½ (C4 ∂ω3_right_crank/∂φ1 cos(φ1 - φ3)
-                    + C4 ω3_right_crank (ω3_left_crank - 1) sin(φ1 - φ3))
-                    + ½ (C5 ∂ω4_left_crank/∂φ1 cos(φ2 - φ4) + C5 ω4_left_crank² sin(φ2 - φ4))))
-                + φ̇2² (C2 ω3_right_crank ∂ω3_left_crank/∂φ2
-                    + C2 ω3_left_crank ∂ω3_right_crank/∂φ2
-                    + C3 ω4_right_crank ∂ω4_left_crank/∂φ2
-                    + C3 ω4_left_crank ∂ω4_right_crank/∂φ2
-                    + ½ (C4 ∂ω3_right_crank/∂φ2 cos(φ1 - φ3) + C4 ω3_right_crank² sin(φ1 - φ3))
-                    + ½ (C5 ∂ω4_left_crank/∂φ2 cos(φ2 - φ4)
-                    + C5 ω4_left_crank (ω4_right_crank - 1) sin(φ2 - φ4))
-                    - ½ (2 C2 ω3_right_crank ∂ω3_right_crank/∂φ1
-                    + 2 C3 ω4_right_crank ∂ω4_right_crank/∂φ1
-                    + C5 ∂ω4_right_crank/∂φ1 cos(φ2 - φ4)
-                    + C5 ω4_left_crank ω4_right_crank sin(φ2 - φ4)))
-                + ½ φ̇1² (2 C2 ω3_left_crank ∂ω3_left_crank/∂φ1
-                    + 2 C3 ω4_left_crank ∂ω4_left_crank/∂φ1 + C4 ∂ω3_left_crank/∂φ1 cos(φ1 - φ3)
-                    + C4 ω3_left_crank (ω3_left_crank - 1) sin(φ1 - φ3))
-                + ½ φ̇1 φ̇2 (C2 ω3_right_crank ∂ω3_left_crank/∂φ1
-                    + C2 ω3_left_crank ∂ω3_right_crank/∂φ1
-                    + C3 ω4_right_crank ∂ω4_left_crank/∂φ1
-                    + C3 ω4_left_crank ∂ω4_right_crank/∂φ1
-                    + ½ (C4 ∂ω3_right_crank/∂φ1 cos(φ1 - φ3)
-                    + C4 ω3_right_crank (ω3_left_crank - 1) sin(φ1 - φ3))
-                    + ½ (C5 ∂ω4_left_crank/∂φ1 cos(φ2 - φ4) + C5 ω4_left_crank² sin(φ2 - φ4)))
-  h_right_crank = φ̇1² (C2 ω3_right_crank ∂ω3_left_crank/∂φ1
-                    - ½ (2 C2 ω3_left_crank ∂ω3_left_crank/∂φ2
-                    + 2 C3 ω4_left_crank ∂ω4_left_crank/∂φ2 + C4 ∂ω3_left_crank/∂φ2 cos(φ1 - φ3)
-                    + C4 ω3_left_crank ω3_right_crank sin(φ1 - φ3))
-                    + C2 ω3_left_crank ∂ω3_right_crank/∂φ1
-                    + C3 ω4_right_crank ∂ω4_left_crank/∂φ1
-                    + C3 ω4_left_crank ∂ω4_right_crank/∂φ1
-                    + ½ (C4 ∂ω3_right_crank/∂φ1 cos(φ1 - φ3)
-                    + C4 ω3_right_crank (ω3_left_crank - 1) sin(φ1 - φ3))
-                    + ½ (C5 ∂ω4_left_crank/∂φ1 cos(φ2 - φ4) + C5 ω4_left_crank² sin(φ2 - φ4)))
-                + φ̇1 φ̇2 (2 C2 ω3_right_crank ∂ω3_right_crank/∂φ1
-                    - ½ (C2 ω3_right_crank ∂ω3_left_crank/∂φ2
-                    + C2 ω3_left_crank ∂ω3_right_crank/∂φ2
-                    + C3 ω4_right_crank ∂ω4_left_crank/∂φ2
-                    + C3 ω4_left_crank ∂ω4_right_crank/∂φ2
-                    + ½ (C4 ∂ω3_right_crank/∂φ2 cos(φ1 - φ3) + C4 ω3_right_crank² sin(φ1 - φ3))
-                    + ½ (C5 ∂ω4_left_crank/∂φ2 cos(φ2 - φ4)
-                    + C5 ω4_left_crank (ω4_right_crank - 1) sin(φ2 - φ4)))
-                    + 2 C3 ω4_right_crank ∂ω4_right_crank/∂φ1
-                    + C5 ∂ω4_right_crank/∂φ1 cos(φ2 - φ4)
-                    + C5 ω4_left_crank ω4_right_crank sin(φ2 - φ4))
-                + ½ φ̇1 φ̇2 (C2 ω3_right_crank ∂ω3_left_crank/∂φ2
-                    + C2 ω3_left_crank ∂ω3_right_crank/∂φ2
-                    + C3 ω4_right_crank ∂ω4_left_crank/∂φ2
-                    + C3 ω4_left_crank ∂ω4_right_crank/∂φ2
-                    + ½ (C4 ∂ω3_right_crank/∂φ2 cos(φ1 - φ3) + C4 ω3_right_crank² sin(φ1 - φ3))
-                    + ½ (C5 ∂ω4_left_crank/∂φ2 cos(φ2 - φ4)
-                    + C5 ω4_left_crank (ω4_right_crank - 1) sin(φ2 - φ4)))
-                + ½ φ̇2² (2 C2 ω3_right_crank ∂ω3_right_crank/∂φ2
-                    + 2 C3 ω4_right_crank ∂ω4_right_crank/∂φ2
-                    + C5 ∂ω4_right_crank/∂φ2 cos(φ2 - φ4)
-                    + C5 ω4_right_crank (ω4_right_crank - 1) sin(φ2 - φ4))
-  ∂P_s/∂φ1      = k (φ1 - φ1⁰)
-                + k (ω3_left_crank - 1) (φ3 - φ3⁰ - φ1 + φ1⁰)
-                + k ω4_left_crank (φ4 - φ4⁰ - φ2 + φ2⁰)
-                + k (ω3_left_crank - ω4_left_crank) (φ3 - φ3⁰ - (φ4 - φ4⁰))
-  τ_1           = left_torque sin(2 π f t)
-                - c φ̇1
-                + c (1 - ω3_left_crank) (φ̇1 (ω3_left_crank - 1) + ω3_right_crank φ̇2)
-                - c ω4_left_crank (ω4_left_crank φ̇1 + φ̇2 (ω4_right_crank - 1))
-                + c (ω4_left_crank - ω3_left_crank) (φ̇1 (ω3_left_crank - ω4_left_crank)
-                    + φ̇2 (ω3_right_crank - ω4_right_crank))
-  ∂P_s/∂φ2      = k (φ2 - φ2⁰)
-                + k ω3_right_crank (φ3 - φ3⁰ - φ1 + φ1⁰)
-                + k (ω4_right_crank - 1) (φ4 - φ4⁰ - φ2 + φ2⁰)
-                + k (ω3_right_crank - ω4_right_crank) (φ3 - φ3⁰ - (φ4 - φ4⁰))
-  τ_2           = right_torque cos(2 π f t)
-                - c φ̇2
-                - c ω3_right_crank (φ̇1 (ω3_left_crank - 1) + ω3_right_crank φ̇2)
-                + c (1 - ω4_right_crank) (ω4_left_crank φ̇1 + φ̇2 (ω4_right_crank - 1))
-                + c (ω4_right_crank - ω3_right_crank) (φ̇1 (ω3_left_crank - ω4_left_crank)
-                    + φ̇2 (ω3_right_crank - ω4_right_crank))
+Coordinates:
 
-  M_left_crank φ̈1 + M_left_crank_right_crank φ̈2 + h_left_crank + ∂P_s/∂φ1 = τ_1
-  M_left_crank_right_crank φ̈1 + M_right_crank φ̈2 + h_right_crank + ∂P_s/∂φ2 = τ_2
+  q = (φ1, φ2)
+
+Inertia:
+
+  M11      = C0 + C2 ω3_1² + C3 ω4_1² + C4 ω3_1 cos(φ1 - φ3)
+  M12      = C2 ω3_1 ω3_2 + C3 ω4_1 ω4_2 + ½ C4 ω3_2 cos(φ1 - φ3) + ½ C5 ω4_1 cos(φ2 - φ4)
+  M22      = C1 + C2 ω3_2² + C3 ω4_2² + C5 ω4_2 cos(φ2 - φ4)
+  ∂M11/∂φ1 = 2 C2 ω3_1 ∂ω3_1/∂φ1
+           + 2 C3 ω4_1 ∂ω4_1/∂φ1
+           + C4 ∂ω3_1/∂φ1 cos(φ1 - φ3)
+           + C4 ω3_1 (ω3_1 - 1) sin(φ1 - φ3)
+  ∂M11/∂φ2 = 2 C2 ω3_1 ∂ω3_1/∂φ2
+           + 2 C3 ω4_1 ∂ω4_1/∂φ2
+           + C4 ∂ω3_1/∂φ2 cos(φ1 - φ3)
+           + C4 ω3_1 ω3_2 sin(φ1 - φ3)
+  ∂M12/∂φ1 = C2 ω3_2 ∂ω3_1/∂φ1
+           + C2 ω3_1 ∂ω3_2/∂φ1
+           + C3 ω4_2 ∂ω4_1/∂φ1
+           + C3 ω4_1 ∂ω4_2/∂φ1
+           + ½ (C4 ∂ω3_2/∂φ1 cos(φ1 - φ3) + C4 ω3_2 (ω3_1 - 1) sin(φ1 - φ3))
+           + ½ (C5 ∂ω4_1/∂φ1 cos(φ2 - φ4) + C5 ω4_1² sin(φ2 - φ4))
+  ∂M12/∂φ2 = C2 ω3_2 ∂ω3_1/∂φ2
+           + C2 ω3_1 ∂ω3_2/∂φ2
+           + C3 ω4_2 ∂ω4_1/∂φ2
+           + C3 ω4_1 ∂ω4_2/∂φ2
+           + ½ (C4 ∂ω3_2/∂φ2 cos(φ1 - φ3) + C4 ω3_2² sin(φ1 - φ3))
+           + ½ (C5 ∂ω4_1/∂φ2 cos(φ2 - φ4) + C5 ω4_1 (ω4_2 - 1) sin(φ2 - φ4))
+  ∂M22/∂φ1 = 2 C2 ω3_2 ∂ω3_2/∂φ1
+           + 2 C3 ω4_2 ∂ω4_2/∂φ1
+           + C5 ∂ω4_2/∂φ1 cos(φ2 - φ4)
+           + C5 ω4_1 ω4_2 sin(φ2 - φ4)
+  ∂M22/∂φ2 = 2 C2 ω3_2 ∂ω3_2/∂φ2
+           + 2 C3 ω4_2 ∂ω4_2/∂φ2
+           + C5 ∂ω4_2/∂φ2 cos(φ2 - φ4)
+           + C5 ω4_2 (ω4_2 - 1) sin(φ2 - φ4)
+  h1       = φ̇1 φ̇2 ∂M11/∂φ2 + ½ ∂M11/∂φ1 φ̇1² + φ̇2² (∂M12/∂φ2 - ½ ∂M22/∂φ1)
+  h2       = φ̇1² (∂M12/∂φ1 - ½ ∂M11/∂φ2) + φ̇1 φ̇2 ∂M22/∂φ1 + ½ ∂M22/∂φ2 φ̇2²
+
+Potential energy:
+
+  ∂P_s/∂φ1 = k (φ1 - φ1⁰)
+           + k (ω3_1 - 1) (φ3 - φ3⁰ - φ1 + φ1⁰)
+           + k ω4_1 (φ4 - φ4⁰ - φ2 + φ2⁰)
+           + k (ω3_1 - ω4_1) (φ3 - φ3⁰ - (φ4 - φ4⁰))
+  ∂P_s/∂φ2 = k (φ2 - φ2⁰)
+           + k ω3_2 (φ3 - φ3⁰ - φ1 + φ1⁰)
+           + k (ω4_2 - 1) (φ4 - φ4⁰ - φ2 + φ2⁰)
+           + k (ω3_2 - ω4_2) (φ3 - φ3⁰ - (φ4 - φ4⁰))
+
+Other forces:
+
+  τ1 = left_torque sin(2 π f t)
+     - c φ̇1
+     + c (1 - ω3_1) (φ̇1 (ω3_1 - 1) + ω3_2 φ̇2)
+     - c ω4_1 (ω4_1 φ̇1 + φ̇2 (ω4_2 - 1))
+     + c (ω4_1 - ω3_1) (φ̇1 (ω3_1 - ω4_1) + φ̇2 (ω3_2 - ω4_2))
+  τ2 = right_torque cos(2 π f t)
+     - c φ̇2
+     - c ω3_2 (φ̇1 (ω3_1 - 1) + ω3_2 φ̇2)
+     + c (1 - ω4_2) (ω4_1 φ̇1 + φ̇2 (ω4_2 - 1))
+     + c (ω4_2 - ω3_2) (φ̇1 (ω3_1 - ω4_1) + φ̇2 (ω3_2 - ω4_2))
+
+Balance:
+
+  M11 φ̈1 + M12 φ̈2 + h1 + ∂P_s/∂φ1 = τ1
+  M12 φ̈1 + M22 φ̈2 + h2 + ∂P_s/∂φ2 = τ2
 
 Constants
 ─────────
@@ -2063,11 +1996,10 @@ Constants
   I4  = 1/12 m2 l2²   moment of inertia about the centre of mass of right_coupler
   φ1⁰ = ⅔ π           angle of `left_crank` as assembled
   φ2⁰ = ⅓ π           angle of `right_crank` as assembled
-  s   = if (l2 X⁰ sin(5/36 π) - l2 Y⁰ cos(5/36 π)) / l2²
-          + (l2 X⁰ sin(31/36 π) - l2 Y⁰ cos(31/36 π)) / l2² > 0 then 1 else -1
+  ε   = sign((X⁰ sin(5/36 π) - Y⁰ cos(5/36 π)) / l2 + (X⁰ sin(31/36 π) - Y⁰ cos(31/36 π)) / l2)
         which way the loop closes: as drawn
-  X⁰  = base + l1 cos(φ2⁰) - l1 cos(φ1⁰)
-  Y⁰  = l1 sin(φ2⁰) - l1 sin(φ1⁰)
+
+  φ3⁰, φ4⁰, X⁰, Y⁰: by the formulas of the loops, at φ1 = φ1⁰, φ2 = φ2⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -2087,25 +2019,25 @@ A five-bar: two cranks on ground move the pin where their couplers meet, in both
 X &= \mathit{base} + l_{1} \cos \varphi_{2} - l_{1} \cos \varphi_{1} \\
 Y &= l_{1} \sin \varphi_{2} - l_{1} \sin \varphi_{1} \\
 D &= X^{2} + Y^{2} \\
-\kappa &= \frac{1}{2} \\
-\eta &= \frac{s}{2 \, D} \, \sqrt{D \left(4 \, l_{2}^{2} - D\right)} \\
-\cos \varphi_{3} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
-\sin \varphi_{3} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
-\cos \varphi_{4} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{2}} \\
-\sin \varphi_{4} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{2}} \\
+\eta &= \frac{\varepsilon}{2 \, D} \, \sqrt{D \left(4 \, l_{2}^{2} - D\right)} \\
+\cos \varphi_{3} &= \frac{\frac{1}{2} \, X - Y \, \eta}{l_{2}} \\
+\sin \varphi_{3} &= \frac{\frac{1}{2} \, Y + X \, \eta}{l_{2}} \\
+\cos \varphi_{4} &= -\frac{\frac{1}{2} \, X + Y \, \eta}{l_{2}} \\
+\sin \varphi_{4} &= \frac{X \, \eta - \frac{1}{2} \, Y}{l_{2}} \\
 & \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}),\quad \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
-\omega_{3,\mathrm{left},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{4} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\omega_{4,\mathrm{left},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\omega_{3,\mathrm{right},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\omega_{4,\mathrm{right},\mathrm{crank}} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} &= \frac{l_{1} \left(\omega_{4,\mathrm{left},\mathrm{crank}} - 1\right) \cos\left(\varphi_{1} - \varphi_{4}\right) + l_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{left},\mathrm{crank}} - \omega_{3,\mathrm{left},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} &= \frac{l_{1} \, \omega_{4,\mathrm{right},\mathrm{crank}} \cos\left(\varphi_{1} - \varphi_{4}\right) + l_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - \omega_{3,\mathrm{right},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} &= \frac{l_{1} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{left},\mathrm{crank}} - \omega_{3,\mathrm{left},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} &= \frac{l_{1} \, \omega_{3,\mathrm{right},\mathrm{crank}} \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - \omega_{3,\mathrm{right},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
-\frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} &= \frac{l_{1} \, \omega_{4,\mathrm{left},\mathrm{crank}} \cos\left(\varphi_{2} - \varphi_{4}\right) + l_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - \omega_{4,\mathrm{left},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)} \\
-\frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} &= \frac{l_{1} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right) \cos\left(\varphi_{2} - \varphi_{4}\right) + l_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{right},\mathrm{crank}} - \omega_{4,\mathrm{right},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)} \\
-\frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} &= \frac{l_{1} \, \omega_{3,\mathrm{left},\mathrm{crank}} \cos\left(\varphi_{2} - \varphi_{3}\right) + l_{2} \, \omega_{4,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - \omega_{4,\mathrm{left},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)} \\
-\frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} &= \frac{l_{1} \left(\omega_{3,\mathrm{right},\mathrm{crank}} - 1\right) \cos\left(\varphi_{2} - \varphi_{3}\right) + l_{2} \, \omega_{4,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{right},\mathrm{crank}} - \omega_{4,\mathrm{right},\mathrm{crank}}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)}
+& \omega_{3,1} = \frac{\partial \varphi_{3}}{\partial \varphi_{1}},\quad \omega_{4,1} = \frac{\partial \varphi_{4}}{\partial \varphi_{1}},\quad \omega_{3,2} = \frac{\partial \varphi_{3}}{\partial \varphi_{2}},\quad \omega_{4,2} = \frac{\partial \varphi_{4}}{\partial \varphi_{2}} \\
+\omega_{3,1} &= \frac{l_{1} \sin\left(\varphi_{4} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\omega_{4,1} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\omega_{3,2} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\omega_{4,2} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\frac{\partial \omega_{3,1}}{\partial \varphi_{1}} &= \frac{l_{1} \left(\omega_{4,1} - 1\right) \cos\left(\varphi_{1} - \varphi_{4}\right) + l_{2} \, \omega_{3,1} \left(\omega_{4,1} - \omega_{3,1}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\frac{\partial \omega_{3,1}}{\partial \varphi_{2}} &= \frac{l_{1} \, \omega_{4,2} \cos\left(\varphi_{1} - \varphi_{4}\right) + l_{2} \, \omega_{3,1} \left(\omega_{4,2} - \omega_{3,2}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\frac{\partial \omega_{4,1}}{\partial \varphi_{1}} &= \frac{l_{1} \left(\omega_{3,1} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{4,1} \left(\omega_{4,1} - \omega_{3,1}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\frac{\partial \omega_{4,1}}{\partial \varphi_{2}} &= \frac{l_{1} \, \omega_{3,2} \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{4,1} \left(\omega_{4,2} - \omega_{3,2}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{3} - \varphi_{4}\right)} \\
+\frac{\partial \omega_{3,2}}{\partial \varphi_{1}} &= \frac{l_{1} \, \omega_{4,1} \cos\left(\varphi_{2} - \varphi_{4}\right) + l_{2} \, \omega_{3,2} \left(\omega_{3,1} - \omega_{4,1}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)} \\
+\frac{\partial \omega_{3,2}}{\partial \varphi_{2}} &= \frac{l_{1} \left(\omega_{4,2} - 1\right) \cos\left(\varphi_{2} - \varphi_{4}\right) + l_{2} \, \omega_{3,2} \left(\omega_{3,2} - \omega_{4,2}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)} \\
+\frac{\partial \omega_{4,2}}{\partial \varphi_{1}} &= \frac{l_{1} \, \omega_{3,1} \cos\left(\varphi_{2} - \varphi_{3}\right) + l_{2} \, \omega_{4,2} \left(\omega_{3,1} - \omega_{4,1}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)} \\
+\frac{\partial \omega_{4,2}}{\partial \varphi_{2}} &= \frac{l_{1} \left(\omega_{3,2} - 1\right) \cos\left(\varphi_{2} - \varphi_{3}\right) + l_{2} \, \omega_{4,2} \left(\omega_{3,2} - \omega_{4,2}\right) \cos\left(\varphi_{3} - \varphi_{4}\right)}{l_{2} \sin\left(\varphi_{4} - \varphi_{3}\right)}
 \end{align*}
 
 \subsection*{Constants of the inertia}
@@ -2119,47 +2051,76 @@ C_{5} &= 2 \, l_{1} \, m_{2} \, r_{4}
 \end{align*}
 
 \subsection*{Equations of motion of \texttt{left\_crank}, \texttt{right\_crank}}
+Coordinates:
 \begin{align*}
-M_{\mathrm{left},\mathrm{crank}} &= C_{0} \\
-&\quad {}+ C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}}^{2} \\
-&\quad {}+ C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}}^{2} \\
-&\quad {}+ C_{4} \, \omega_{3,\mathrm{left},\mathrm{crank}} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
-M_{\mathrm{left},\mathrm{crank},\mathrm{right},\mathrm{crank}} &= C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \omega_{3,\mathrm{right},\mathrm{crank}} \\
-&\quad {}+ C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \omega_{4,\mathrm{right},\mathrm{crank}} \\
-&\quad {}+ \frac{1}{2} \, C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
-&\quad {}+ \frac{1}{2} \, C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}} \cos\left(\varphi_{2} - \varphi_{4}\right) \\
-M_{\mathrm{right},\mathrm{crank}} &= C_{1} \\
-&\quad {}+ C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}}^{2} \\
-&\quad {}+ C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}}^{2} \\
-&\quad {}+ C_{5} \, \omega_{4,\mathrm{right},\mathrm{crank}} \cos\left(\varphi_{2} - \varphi_{4}\right) \\
-h_{\mathrm{left},\mathrm{crank}} &= \dot{\varphi}_{1} \, \dot{\varphi}_{2} \left(2 \, C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + 2 \, C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{4} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \omega_{3,\mathrm{right},\mathrm{crank}} \sin\left(\varphi_{1} - \varphi_{3}\right) - \frac{1}{2} \left(C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}}^{2} \sin\left(\varphi_{2} - \varphi_{4}\right)\right)\right)\right) \\
-&\quad {}+ \dot{\varphi}_{2}^{2} \left(C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}}^{2} \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right) \sin\left(\varphi_{2} - \varphi_{4}\right)\right) - \frac{1}{2} \left(2 \, C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + 2 \, C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + C_{5} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \omega_{4,\mathrm{right},\mathrm{crank}} \sin\left(\varphi_{2} - \varphi_{4}\right)\right)\right) \\
-&\quad {}+ \frac{1}{2} \, \dot{\varphi}_{1}^{2} \left(2 \, C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + 2 \, C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + C_{4} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{left},\mathrm{crank}} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right)\right) \\
-&\quad {}+ \frac{1}{2} \, \dot{\varphi}_{1} \, \dot{\varphi}_{2} \left(C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}}^{2} \sin\left(\varphi_{2} - \varphi_{4}\right)\right)\right) \\
-h_{\mathrm{right},\mathrm{crank}} &= \dot{\varphi}_{1}^{2} \left(C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} - \frac{1}{2} \left(2 \, C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + 2 \, C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{4} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \omega_{3,\mathrm{right},\mathrm{crank}} \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} + C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}}^{2} \sin\left(\varphi_{2} - \varphi_{4}\right)\right)\right) \\
-&\quad {}+ \dot{\varphi}_{1} \, \dot{\varphi}_{2} \left(2 \, C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} - \frac{1}{2} \left(C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}}^{2} \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right) \sin\left(\varphi_{2} - \varphi_{4}\right)\right)\right) + 2 \, C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} + C_{5} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \omega_{4,\mathrm{right},\mathrm{crank}} \sin\left(\varphi_{2} - \varphi_{4}\right)\right) \\
-&\quad {}+ \frac{1}{2} \, \dot{\varphi}_{1} \, \dot{\varphi}_{2} \left(C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{2} \, \omega_{3,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} + C_{3} \, \omega_{4,\mathrm{left},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,\mathrm{right},\mathrm{crank}}^{2} \sin\left(\varphi_{1} - \varphi_{3}\right)\right) + \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,\mathrm{left},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right) \sin\left(\varphi_{2} - \varphi_{4}\right)\right)\right) \\
-&\quad {}+ \frac{1}{2} \, \dot{\varphi}_{2}^{2} \left(2 \, C_{2} \, \omega_{3,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{3,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + 2 \, C_{3} \, \omega_{4,\mathrm{right},\mathrm{crank}} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} + C_{5} \, \frac{\partial \omega_{4,\mathrm{right},\mathrm{crank}}}{\partial \varphi_{2}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,\mathrm{right},\mathrm{crank}} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right) \sin\left(\varphi_{2} - \varphi_{4}\right)\right) \\
+& q = \left(\varphi_{1},\, \varphi_{2}\right)
+\end{align*}
+Inertia:
+\begin{align*}
+M_{11} &= C_{0} + C_{2} \, \omega_{3,1}^{2} + C_{3} \, \omega_{4,1}^{2} + C_{4} \, \omega_{3,1} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
+M_{12} &= C_{2} \, \omega_{3,1} \, \omega_{3,2} \\
+&\quad {}+ C_{3} \, \omega_{4,1} \, \omega_{4,2} \\
+&\quad {}+ \frac{1}{2} \, C_{4} \, \omega_{3,2} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
+&\quad {}+ \frac{1}{2} \, C_{5} \, \omega_{4,1} \cos\left(\varphi_{2} - \varphi_{4}\right) \\
+M_{22} &= C_{1} + C_{2} \, \omega_{3,2}^{2} + C_{3} \, \omega_{4,2}^{2} + C_{5} \, \omega_{4,2} \cos\left(\varphi_{2} - \varphi_{4}\right) \\
+\frac{\partial M_{11}}{\partial \varphi_{1}} &= 2 \, C_{2} \, \omega_{3,1} \, \frac{\partial \omega_{3,1}}{\partial \varphi_{1}} \\
+&\quad {}+ 2 \, C_{3} \, \omega_{4,1} \, \frac{\partial \omega_{4,1}}{\partial \varphi_{1}} \\
+&\quad {}+ C_{4} \, \frac{\partial \omega_{3,1}}{\partial \varphi_{1}} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
+&\quad {}+ C_{4} \, \omega_{3,1} \left(\omega_{3,1} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right) \\
+\frac{\partial M_{11}}{\partial \varphi_{2}} &= 2 \, C_{2} \, \omega_{3,1} \, \frac{\partial \omega_{3,1}}{\partial \varphi_{2}} \\
+&\quad {}+ 2 \, C_{3} \, \omega_{4,1} \, \frac{\partial \omega_{4,1}}{\partial \varphi_{2}} \\
+&\quad {}+ C_{4} \, \frac{\partial \omega_{3,1}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) \\
+&\quad {}+ C_{4} \, \omega_{3,1} \, \omega_{3,2} \sin\left(\varphi_{1} - \varphi_{3}\right) \\
+\frac{\partial M_{12}}{\partial \varphi_{1}} &= C_{2} \, \omega_{3,2} \, \frac{\partial \omega_{3,1}}{\partial \varphi_{1}} \\
+&\quad {}+ C_{2} \, \omega_{3,1} \, \frac{\partial \omega_{3,2}}{\partial \varphi_{1}} \\
+&\quad {}+ C_{3} \, \omega_{4,2} \, \frac{\partial \omega_{4,1}}{\partial \varphi_{1}} \\
+&\quad {}+ C_{3} \, \omega_{4,1} \, \frac{\partial \omega_{4,2}}{\partial \varphi_{1}} \\
+&\quad {}+ \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,2}}{\partial \varphi_{1}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,2} \left(\omega_{3,1} - 1\right) \sin\left(\varphi_{1} - \varphi_{3}\right)\right) \\
+&\quad {}+ \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,1}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,1}^{2} \sin\left(\varphi_{2} - \varphi_{4}\right)\right) \\
+\frac{\partial M_{12}}{\partial \varphi_{2}} &= C_{2} \, \omega_{3,2} \, \frac{\partial \omega_{3,1}}{\partial \varphi_{2}} \\
+&\quad {}+ C_{2} \, \omega_{3,1} \, \frac{\partial \omega_{3,2}}{\partial \varphi_{2}} \\
+&\quad {}+ C_{3} \, \omega_{4,2} \, \frac{\partial \omega_{4,1}}{\partial \varphi_{2}} \\
+&\quad {}+ C_{3} \, \omega_{4,1} \, \frac{\partial \omega_{4,2}}{\partial \varphi_{2}} \\
+&\quad {}+ \frac{1}{2} \left(C_{4} \, \frac{\partial \omega_{3,2}}{\partial \varphi_{2}} \cos\left(\varphi_{1} - \varphi_{3}\right) + C_{4} \, \omega_{3,2}^{2} \sin\left(\varphi_{1} - \varphi_{3}\right)\right) \\
+&\quad {}+ \frac{1}{2} \left(C_{5} \, \frac{\partial \omega_{4,1}}{\partial \varphi_{2}} \cos\left(\varphi_{2} - \varphi_{4}\right) + C_{5} \, \omega_{4,1} \left(\omega_{4,2} - 1\right) \sin\left(\varphi_{2} - \varphi_{4}\right)\right) \\
+\frac{\partial M_{22}}{\partial \varphi_{1}} &= 2 \, C_{2} \, \omega_{3,2} \, \frac{\partial \omega_{3,2}}{\partial \varphi_{1}} \\
+&\quad {}+ 2 \, C_{3} \, \omega_{4,2} \, \frac{\partial \omega_{4,2}}{\partial \varphi_{1}} \\
+&\quad {}+ C_{5} \, \frac{\partial \omega_{4,2}}{\partial \varphi_{1}} \cos\left(\varphi_{2} - \varphi_{4}\right) \\
+&\quad {}+ C_{5} \, \omega_{4,1} \, \omega_{4,2} \sin\left(\varphi_{2} - \varphi_{4}\right) \\
+\frac{\partial M_{22}}{\partial \varphi_{2}} &= 2 \, C_{2} \, \omega_{3,2} \, \frac{\partial \omega_{3,2}}{\partial \varphi_{2}} \\
+&\quad {}+ 2 \, C_{3} \, \omega_{4,2} \, \frac{\partial \omega_{4,2}}{\partial \varphi_{2}} \\
+&\quad {}+ C_{5} \, \frac{\partial \omega_{4,2}}{\partial \varphi_{2}} \cos\left(\varphi_{2} - \varphi_{4}\right) \\
+&\quad {}+ C_{5} \, \omega_{4,2} \left(\omega_{4,2} - 1\right) \sin\left(\varphi_{2} - \varphi_{4}\right) \\
+h_{1} &= \dot{\varphi}_{1} \, \dot{\varphi}_{2} \, \frac{\partial M_{11}}{\partial \varphi_{2}} + \frac{1}{2} \, \frac{\partial M_{11}}{\partial \varphi_{1}} \, \dot{\varphi}_{1}^{2} + \dot{\varphi}_{2}^{2} \left(\frac{\partial M_{12}}{\partial \varphi_{2}} - \frac{1}{2} \, \frac{\partial M_{22}}{\partial \varphi_{1}}\right) \\
+h_{2} &= \dot{\varphi}_{1}^{2} \left(\frac{\partial M_{12}}{\partial \varphi_{1}} - \frac{1}{2} \, \frac{\partial M_{11}}{\partial \varphi_{2}}\right) + \dot{\varphi}_{1} \, \dot{\varphi}_{2} \, \frac{\partial M_{22}}{\partial \varphi_{1}} + \frac{1}{2} \, \frac{\partial M_{22}}{\partial \varphi_{2}} \, \dot{\varphi}_{2}^{2}
+\end{align*}
+Potential energy:
+\begin{align*}
 \frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) \left(\varphi_{3} - \varphi_{3}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
-&\quad {}+ k \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\varphi_{4} - \varphi_{4}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
-&\quad {}+ k \left(\omega_{3,\mathrm{left},\mathrm{crank}} - \omega_{4,\mathrm{left},\mathrm{crank}}\right) \left(\varphi_{3} - \varphi_{3}^0 - \left(\varphi_{4} - \varphi_{4}^0\right)\right) \\
+&\quad {}+ k \left(\omega_{3,1} - 1\right) \left(\varphi_{3} - \varphi_{3}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
+&\quad {}+ k \, \omega_{4,1} \left(\varphi_{4} - \varphi_{4}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
+&\quad {}+ k \left(\omega_{3,1} - \omega_{4,1}\right) \left(\varphi_{3} - \varphi_{3}^0 - \left(\varphi_{4} - \varphi_{4}^0\right)\right) \\
+\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\varphi_{2} - \varphi_{2}^0\right) \\
+&\quad {}+ k \, \omega_{3,2} \left(\varphi_{3} - \varphi_{3}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
+&\quad {}+ k \left(\omega_{4,2} - 1\right) \left(\varphi_{4} - \varphi_{4}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
+&\quad {}+ k \left(\omega_{3,2} - \omega_{4,2}\right) \left(\varphi_{3} - \varphi_{3}^0 - \left(\varphi_{4} - \varphi_{4}^0\right)\right)
+\end{align*}
+Other forces:
+\begin{align*}
 \tau_{1} &= \mathit{left}_{\mathrm{torque}} \sin\left(2 \, \pi \, f \, t\right) \\
 &\quad {}- c \, \dot{\varphi}_{1} \\
-&\quad {}+ c \left(1 - \omega_{3,\mathrm{left},\mathrm{crank}}\right) \left(\dot{\varphi}_{1} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) + \omega_{3,\mathrm{right},\mathrm{crank}} \, \dot{\varphi}_{2}\right) \\
-&\quad {}- c \, \omega_{4,\mathrm{left},\mathrm{crank}} \left(\omega_{4,\mathrm{left},\mathrm{crank}} \, \dot{\varphi}_{1} + \dot{\varphi}_{2} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right)\right) \\
-&\quad {}+ c \left(\omega_{4,\mathrm{left},\mathrm{crank}} - \omega_{3,\mathrm{left},\mathrm{crank}}\right) \left(\dot{\varphi}_{1} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - \omega_{4,\mathrm{left},\mathrm{crank}}\right) + \dot{\varphi}_{2} \left(\omega_{3,\mathrm{right},\mathrm{crank}} - \omega_{4,\mathrm{right},\mathrm{crank}}\right)\right) \\
-\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\varphi_{2} - \varphi_{2}^0\right) \\
-&\quad {}+ k \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\varphi_{3} - \varphi_{3}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right) \left(\varphi_{4} - \varphi_{4}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
-&\quad {}+ k \left(\omega_{3,\mathrm{right},\mathrm{crank}} - \omega_{4,\mathrm{right},\mathrm{crank}}\right) \left(\varphi_{3} - \varphi_{3}^0 - \left(\varphi_{4} - \varphi_{4}^0\right)\right) \\
+&\quad {}+ c \left(1 - \omega_{3,1}\right) \left(\dot{\varphi}_{1} \left(\omega_{3,1} - 1\right) + \omega_{3,2} \, \dot{\varphi}_{2}\right) \\
+&\quad {}- c \, \omega_{4,1} \left(\omega_{4,1} \, \dot{\varphi}_{1} + \dot{\varphi}_{2} \left(\omega_{4,2} - 1\right)\right) \\
+&\quad {}+ c \left(\omega_{4,1} - \omega_{3,1}\right) \left(\dot{\varphi}_{1} \left(\omega_{3,1} - \omega_{4,1}\right) + \dot{\varphi}_{2} \left(\omega_{3,2} - \omega_{4,2}\right)\right) \\
 \tau_{2} &= \mathit{right}_{\mathrm{torque}} \cos\left(2 \, \pi \, f \, t\right) \\
 &\quad {}- c \, \dot{\varphi}_{2} \\
-&\quad {}- c \, \omega_{3,\mathrm{right},\mathrm{crank}} \left(\dot{\varphi}_{1} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - 1\right) + \omega_{3,\mathrm{right},\mathrm{crank}} \, \dot{\varphi}_{2}\right) \\
-&\quad {}+ c \left(1 - \omega_{4,\mathrm{right},\mathrm{crank}}\right) \left(\omega_{4,\mathrm{left},\mathrm{crank}} \, \dot{\varphi}_{1} + \dot{\varphi}_{2} \left(\omega_{4,\mathrm{right},\mathrm{crank}} - 1\right)\right) \\
-&\quad {}+ c \left(\omega_{4,\mathrm{right},\mathrm{crank}} - \omega_{3,\mathrm{right},\mathrm{crank}}\right) \left(\dot{\varphi}_{1} \left(\omega_{3,\mathrm{left},\mathrm{crank}} - \omega_{4,\mathrm{left},\mathrm{crank}}\right) + \dot{\varphi}_{2} \left(\omega_{3,\mathrm{right},\mathrm{crank}} - \omega_{4,\mathrm{right},\mathrm{crank}}\right)\right) \\
-& M_{\mathrm{left},\mathrm{crank}}\,\ddot{\varphi}_{1} + M_{\mathrm{left},\mathrm{crank},\mathrm{right},\mathrm{crank}}\,\ddot{\varphi}_{2} + h_{\mathrm{left},\mathrm{crank}} + \frac{\partial P_s}{\partial \varphi_{1}} = \tau_{1} \\
-& M_{\mathrm{left},\mathrm{crank},\mathrm{right},\mathrm{crank}}\,\ddot{\varphi}_{1} + M_{\mathrm{right},\mathrm{crank}}\,\ddot{\varphi}_{2} + h_{\mathrm{right},\mathrm{crank}} + \frac{\partial P_s}{\partial \varphi_{2}} = \tau_{2}
+&\quad {}- c \, \omega_{3,2} \left(\dot{\varphi}_{1} \left(\omega_{3,1} - 1\right) + \omega_{3,2} \, \dot{\varphi}_{2}\right) \\
+&\quad {}+ c \left(1 - \omega_{4,2}\right) \left(\omega_{4,1} \, \dot{\varphi}_{1} + \dot{\varphi}_{2} \left(\omega_{4,2} - 1\right)\right) \\
+&\quad {}+ c \left(\omega_{4,2} - \omega_{3,2}\right) \left(\dot{\varphi}_{1} \left(\omega_{3,1} - \omega_{4,1}\right) + \dot{\varphi}_{2} \left(\omega_{3,2} - \omega_{4,2}\right)\right)
+\end{align*}
+Balance:
+\begin{align*}
+& \begin{bmatrix} M_{11} & M_{12} \\[1ex] M_{12} & M_{22} \end{bmatrix} \begin{bmatrix} \ddot{\varphi}_{1} \\[1ex] \ddot{\varphi}_{2} \end{bmatrix} + \begin{bmatrix} h_{1} \\[1ex] h_{2} \end{bmatrix} + \begin{bmatrix} \frac{\partial P_s}{\partial \varphi_{1}} \\[1ex] \frac{\partial P_s}{\partial \varphi_{2}} \end{bmatrix} = \begin{bmatrix} \tau_{1} \\[1ex] \tau_{2} \end{bmatrix}
 \end{align*}
 
 \subsection*{Constants}
@@ -2174,9 +2135,8 @@ r_{4} &= \frac{1}{2} \, l_{2} && \text{distance of the centre of mass from the f
 I_{4} &= \frac{1}{12} \, m_{2} \, l_{2}^{2} && \text{moment of inertia about the centre of mass of right\_coupler} \\
 \varphi_{1}^0 &= \frac{2}{3} \, \pi && \text{angle of \texttt{left\_crank} as assembled} \\
 \varphi_{2}^0 &= \frac{1}{3} \, \pi && \text{angle of \texttt{right\_crank} as assembled} \\
-s &= \begin{cases} 1 & \text{if } \frac{l_{2} \, {X}^0 \sin\left(\frac{5}{36} \, \pi\right) - l_{2} \, {Y}^0 \cos\left(\frac{5}{36} \, \pi\right)}{l_{2}^{2}} + \frac{l_{2} \, {X}^0 \sin\left(\frac{31}{36} \, \pi\right) - l_{2} \, {Y}^0 \cos\left(\frac{31}{36} \, \pi\right)}{l_{2}^{2}} > 0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X}^0 &= \mathit{base} + l_{1} \cos \varphi_{2}^0 - l_{1} \cos \varphi_{1}^0 \\
-{Y}^0 &= l_{1} \sin \varphi_{2}^0 - l_{1} \sin \varphi_{1}^0
+\varepsilon &= \operatorname{sgn}\left(\frac{{X}^0 \sin\left(\frac{5}{36} \, \pi\right) - {Y}^0 \cos\left(\frac{5}{36} \, \pi\right)}{l_{2}} + \frac{{X}^0 \sin\left(\frac{31}{36} \, \pi\right) - {Y}^0 \cos\left(\frac{31}{36} \, \pi\right)}{l_{2}}\right) && \text{which way the loop closes: as drawn} \\
+& \varphi_{3}^0,\, \varphi_{4}^0,\, {X}^0,\, {Y}^0: \text{ by the formulas of the loops, at } \varphi_{1} = \varphi_{1}^0,\, \varphi_{2} = \varphi_{2}^0
 \end{align*}
 
 \end{document}

@@ -147,8 +147,8 @@ pub mod four_bar {
             let κ_0 = (t4 + D_0) * 0.5 / D_0;
             let Y_0_κ_0 = Y_0 * κ_0;
             // which way the loop closes: as drawn
-            let s = (X_0 / l3 - Y_0 / l2).if_positive(1.0, -1.0);
-            let η_0 = s * (-t2).sqrt() * 0.5 / D_0;
+            let ε = (X_0 / l3 - Y_0 / l2).if_positive(1.0, -1.0);
+            let η_0 = ε * (-t2).sqrt() * 0.5 / D_0;
             let X_0_η_0 = X_0 * η_0;
             let s3_0 = (Y_0_κ_0 + t1 + X_0_η_0) / l3;
             let X_0_κ_0 = X_0 * κ_0;
@@ -252,7 +252,7 @@ pub mod four_bar {
                 constant1: t4,
                 l2_minus_l3_squared,
                 l2_plus_l3_squared,
-                half_s: s * 0.5,
+                half_ε: ε * 0.5,
                 per_l2: l2.recip(),
                 per_l3: l3.recip(),
                 l1_per_l2: l1 / l2,
@@ -304,8 +304,8 @@ pub mod four_bar {
         pub l2_minus_l3_squared: T,
         /// `(l2 + l3) * (l2 + l3)`
         pub l2_plus_l3_squared: T,
-        /// `0.5 * s`
-        pub half_s: T,
+        /// `0.5 * ε`
+        pub half_ε: T,
         /// `1.0 / l2`
         pub per_l2: T,
         /// `1.0 / l3`
@@ -362,7 +362,7 @@ pub mod four_bar {
                 constant1: turn(self.constant1),
                 l2_minus_l3_squared: turn(self.l2_minus_l3_squared),
                 l2_plus_l3_squared: turn(self.l2_plus_l3_squared),
-                half_s: turn(self.half_s),
+                half_ε: turn(self.half_ε),
                 per_l2: turn(self.per_l2),
                 per_l3: turn(self.per_l3),
                 l1_per_l2: turn(self.l1_per_l2),
@@ -414,7 +414,7 @@ pub mod four_bar {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -449,13 +449,13 @@ pub mod four_bar {
         let φ3_minus_φ3_0 = t8.unwrap_to(turn_rocker);
         let t9 = p.k * (φ1 - 1.3962634015954636) + p.k * t6
             + p.k * (t7 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t9 + p.k * (φ3_minus_φ3_0 * ω3);
         let t10 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * c2))
             - p.m3_r3 * (ω3 * t2);
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = t10 * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
@@ -467,7 +467,7 @@ pub mod four_bar {
         let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t12);
         let t13 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * cos_φ1_minus_φ2);
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t13 + p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one);
         // ── state ──
         let ddφ1 = -(A.recip() * (dP_dφ1 + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
@@ -502,7 +502,7 @@ pub mod four_bar {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -543,7 +543,7 @@ pub mod four_bar {
         let t8 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * ω2_prime_cos_φ1_minus_φ2;
         let sin_φ1_minus_φ2_ω2 = sin_φ1_minus_φ2 * ω2;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t8 + p.C3 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one);
         let t9 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
@@ -555,13 +555,13 @@ pub mod four_bar {
         let t12 = φ2_minus_φ2_0 - φ3_minus_φ3_0;
         let t13 = p.k * (φ1 - 1.3962634015954636) + p.k * (ω2_minus_one * t10)
             + p.k * (t5 * t12);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t13 + p.k * (φ3_minus_φ3_0 * ω3);
         let t14 = p.m1_r1 * cos_φ1 + p.m2 * (l1_cos_φ1 + p.r2 * (ω2 * c2))
             - p.m3_r3 * (ω3 * t2);
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = t14 * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let per_A = A.recip();
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
@@ -636,7 +636,7 @@ pub mod four_bar {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -703,7 +703,7 @@ pub mod four_bar {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -798,7 +798,7 @@ pub mod four_bar {
         let Y_κ = Y * κ;
         let t1 = per_D
             * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_s * t1;
+        let η = p.half_ε * t1;
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -1274,13 +1274,14 @@ Loop crank–coupler–rocker
   Y  = -l1 sin(φ1)
   D  = X² + Y²
   κ  = (l2² - l3² + D) / (2 D)
-  η  = s sqrt((D - (l2 - l3)²) ((l2 + l3)² - D)) / (2 D)
+  η  = ε sqrt((D - (l2 - l3)²) ((l2 + l3)² - D)) / (2 D)
   c2 = (X κ - Y η) / l2
   s2 = (Y κ + X η) / l2
   c3 = -(X - X κ + Y η) / l3
   s3 = (Y κ - Y + X η) / l3
 
   φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
+  ω2 = dφ2/dφ1, ω3 = dφ3/dφ1, ' = d/dφ1
 
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
@@ -1298,14 +1299,21 @@ Constants of the inertia
 Equation of motion of `crank`
 ─────────────────────────────
 
-  A(φ1)    = C0 + C1 ω2² + C2 ω3² + C3 ω2 cos(φ1 - φ2)
-  ∂A/∂φ1   = 2 C1 ω2 ω2' + 2 C2 ω3 ω3' + C3 ω2' cos(φ1 - φ2) + C3 ω2 (ω2 - 1) sin(φ1 - φ2)
+Inertia:
+
+  A(φ1)  = C0 + C1 ω2² + C2 ω3² + C3 ω2 cos(φ1 - φ2)
+  ∂A/∂φ1 = 2 C1 ω2 ω2' + 2 C2 ω3 ω3' + C3 ω2' cos(φ1 - φ2) + C3 ω2 (ω2 - 1) sin(φ1 - φ2)
+
+Potential energy:
+
   ∂P_s/∂φ1 = k (φ1 - φ1⁰)
            + k (ω2 - 1) (φ2 - φ2⁰ - φ1 + φ1⁰)
            + k (ω2 - ω3) (φ2 - φ2⁰ - (φ3 - φ3⁰))
            + k ω3 (φ3 - φ3⁰)
   ∂P_g/∂φ1 = g (m1 r1 cos(φ1) + m2 (l1 cos(φ1) + r2 ω2 cos(φ2)) + m3 r3 ω3 cos(φ3))
   ∂P/∂φ1   = ∂P_s/∂φ1 + ∂P_g/∂φ1
+
+Balance:
 
   A(φ1) φ̈1 + ½ ∂A/∂φ1 φ̇1² + ∂P/∂φ1 = 0
 
@@ -1314,18 +1322,17 @@ Constants
 
   k   = 2 E b e^(5/2) / (9 π sqrt(r))
         stiffness of a hinge
-  r1  = ½ l1          distance of the centre of mass from the first end of crank
-  I1  = 1/12 m1 l1²   moment of inertia about the centre of mass of crank
-  r2  = ½ l2          distance of the centre of mass from the first end of coupler
-  I2  = 1/12 m2 l2²   moment of inertia about the centre of mass of coupler
-  r3  = ½ l3          distance of the centre of mass from the first end of rocker
-  I3  = 1/12 m3 l3²   moment of inertia about the centre of mass of rocker
-  φ1⁰ = 4/9 π         angle of `crank` as assembled
-  s   = if X⁰/l3 > Y⁰/l2 then 1 else -1
-        which way the loop closes: as drawn
-  X⁰  = l4 - l1 cos(φ1⁰)
-  Y⁰  = -l1 sin(φ1⁰)
-  g   = 9.81          acceleration of gravity
+  r1  = ½ l1                  distance of the centre of mass from the first end of crank
+  I1  = 1/12 m1 l1²           moment of inertia about the centre of mass of crank
+  r2  = ½ l2                  distance of the centre of mass from the first end of coupler
+  I2  = 1/12 m2 l2²           moment of inertia about the centre of mass of coupler
+  r3  = ½ l3                  distance of the centre of mass from the first end of rocker
+  I3  = 1/12 m3 l3²           moment of inertia about the centre of mass of rocker
+  φ1⁰ = 4/9 π                 angle of `crank` as assembled
+  ε   = sign(X⁰/l3 - Y⁰/l2)   which way the loop closes: as drawn
+  g   = 9.81                  acceleration of gravity
+
+  φ2⁰, φ3⁰, X⁰, Y⁰: by the formulas of the loops, at φ1 = φ1⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -1350,12 +1357,13 @@ X &= l_{4} - l_{1} \cos \varphi_{1} \\
 Y &= -l_{1} \sin \varphi_{1} \\
 D &= X^{2} + Y^{2} \\
 \kappa &= \frac{l_{2}^{2} - l_{3}^{2} + D}{2 \, D} \\
-\eta &= \frac{s}{2 \, D} \, \sqrt{\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D\right)} \\
+\eta &= \frac{\varepsilon}{2 \, D} \, \sqrt{\left(D - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D\right)} \\
 \cos \varphi_{2} &= \frac{X \, \kappa - Y \, \eta}{l_{2}} \\
 \sin \varphi_{2} &= \frac{Y \, \kappa + X \, \eta}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X - X \, \kappa + Y \, \eta}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y \, \kappa - Y + X \, \eta}{l_{3}} \\
 & \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{2} = \frac{\mathrm d\varphi_{2}}{\mathrm d\varphi_{1}},\quad \omega_{3} = \frac{\mathrm d\varphi_{3}}{\mathrm d\varphi_{1}},\quad {}' = \frac{\mathrm d}{\mathrm d\varphi_{1}} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
@@ -1371,18 +1379,25 @@ C_{3} &= 2 \, l_{1} \, m_{2} \, r_{2}
 \end{align*}
 
 \subsection*{Equation of motion of \texttt{crank}}
+Inertia:
 \begin{align*}
 A(\varphi_{1}) &= C_{0} + C_{1} \, \omega_{2}^{2} + C_{2} \, \omega_{3}^{2} + C_{3} \, \omega_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
 \frac{\partial A}{\partial \varphi_{1}} &= 2 \, C_{1} \, \omega_{2} \, \omega'_{2} \\
 &\quad {}+ 2 \, C_{2} \, \omega_{3} \, \omega'_{3} \\
 &\quad {}+ C_{3} \, \omega'_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
-&\quad {}+ C_{3} \, \omega_{2} \left(\omega_{2} - 1\right) \sin\left(\varphi_{1} - \varphi_{2}\right) \\
+&\quad {}+ C_{3} \, \omega_{2} \left(\omega_{2} - 1\right) \sin\left(\varphi_{1} - \varphi_{2}\right)
+\end{align*}
+Potential energy:
+\begin{align*}
 \frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - \omega_{3}\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{3} - \varphi_{3}^0\right)\right) \\
 &\quad {}+ k \, \omega_{3} \left(\varphi_{3} - \varphi_{3}^0\right) \\
 \frac{\partial P_g}{\partial \varphi_{1}} &= g \left(m_{1} \, r_{1} \cos \varphi_{1} + m_{2} \left(l_{1} \cos \varphi_{1} + r_{2} \, \omega_{2} \cos \varphi_{2}\right) + m_{3} \, r_{3} \, \omega_{3} \cos \varphi_{3}\right) \\
-\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}} \\
+\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}}
+\end{align*}
+Balance:
+\begin{align*}
 & A(\varphi_{1})\,\ddot{\varphi}_{1} + \tfrac12 \frac{\partial A}{\partial \varphi_{1}}\,\dot{\varphi}_{1}^2 + \frac{\partial P}{\partial \varphi_{1}} = 0
 \end{align*}
 
@@ -1396,10 +1411,9 @@ I_{2} &= \frac{1}{12} \, m_{2} \, l_{2}^{2} && \text{moment of inertia about the
 r_{3} &= \frac{1}{2} \, l_{3} && \text{distance of the centre of mass from the first end of rocker} \\
 I_{3} &= \frac{1}{12} \, m_{3} \, l_{3}^{2} && \text{moment of inertia about the centre of mass of rocker} \\
 \varphi_{1}^0 &= \frac{4}{9} \, \pi && \text{angle of \texttt{crank} as assembled} \\
-s &= \begin{cases} 1 & \text{if } \frac{{X}^0}{l_{3}} > \frac{{Y}^0}{l_{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X}^0 &= l_{4} - l_{1} \cos \varphi_{1}^0 \\
-{Y}^0 &= -l_{1} \sin \varphi_{1}^0 \\
-g &= 9.81 && \text{acceleration of gravity}
+\varepsilon &= \operatorname{sgn}\left(\frac{{X}^0}{l_{3}} - \frac{{Y}^0}{l_{2}}\right) && \text{which way the loop closes: as drawn} \\
+g &= 9.81 && \text{acceleration of gravity} \\
+& \varphi_{2}^0,\, \varphi_{3}^0,\, {X}^0,\, {Y}^0: \text{ by the formulas of the loops, at } \varphi_{1} = \varphi_{1}^0
 \end{align*}
 
 \end{document}

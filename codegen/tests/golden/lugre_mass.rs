@@ -345,13 +345,13 @@ pub mod lugre_mass {
         // friction force of `surface` on its second end
         let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * dx_block;
         // rate of the drive `end`
-        let dend = end_piece_minus_half.if_positive(p.pull, T::from_f64(0.0));
+        let d_end_dt = end_piece_minus_half.if_positive(p.pull, T::from_f64(0.0));
         // force of `rope` on its second end
         let F_rope = p.k * (end - x_block);
         result[0] = p.half_m * dx_block_squared;
         result[1] = t1;
         result[2] = dx_block * F_f - p.sigma0 * (z * ż);
-        result[3] = dend * F_rope;
+        result[3] = d_end_dt * F_rope;
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]

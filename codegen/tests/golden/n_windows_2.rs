@@ -168,7 +168,7 @@ pub mod n_windows_2 {
         // ── configuration ──
         let cos_φ_upright0 = φ_upright0.cos();
         let t1 = p.m_r_upright0 * cos_φ_upright0;
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ_upright0 = (t1 + p.two_l_m * cos_φ_upright0 + t1 + t1) * 9.81;
         let ddφ_upright0 = -(p.per_C0 * dP_g_dφ_upright0);
         dx[0] = dφ_upright0;

@@ -155,12 +155,11 @@ pub mod parallelogram_stage {
                 start_discretes: [],
                 l,
                 k,
+                ddP_s_dφ_dφ,
                 constant1: f * 6.283185307179586,
                 l_push: l * push,
                 per_C0: C0.recip(),
-                ddP_s_dφ_dφ,
                 half_C0: C0 * 0.5,
-                half_k: k * 0.5,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -178,18 +177,16 @@ pub mod parallelogram_stage {
         pub l: T,
         /// `k` stiffness at either end of a leaf
         pub k: T,
+        /// `∂∂P_s/∂φ/∂φ`
+        pub ddP_s_dφ_dφ: T,
         /// `6.283185307179586 * f`
         pub constant1: T,
         /// `l * push`
         pub l_push: T,
         /// `1.0 / C0`
         pub per_C0: T,
-        /// `∂∂P_s/∂φ/∂φ`
-        pub ddP_s_dφ_dφ: T,
         /// `0.5 * C0`
         pub half_C0: T,
-        /// `0.5 * k`
-        pub half_k: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -199,12 +196,11 @@ pub mod parallelogram_stage {
                 start_discretes: self.start_discretes.map(&turn),
                 l: turn(self.l),
                 k: turn(self.k),
+                ddP_s_dφ_dφ: turn(self.ddP_s_dφ_dφ),
                 constant1: turn(self.constant1),
                 l_push: turn(self.l_push),
                 per_C0: turn(self.per_C0),
-                ddP_s_dφ_dφ: turn(self.ddP_s_dφ_dφ),
                 half_C0: turn(self.half_C0),
-                half_k: turn(self.half_k),
             }
         }
     }
@@ -221,13 +217,11 @@ pub mod parallelogram_stage {
         let φ = x[0];
         let dφ = x[1];
         // ── configuration ──
-        let φ_right_minus_φ_right_0 = φ - 1.5707963267948966;
-        let t1 = p.k * φ_right_minus_φ_right_0;
-        // springs
-        let dP_s_dφ = t1 + t1 - p.k * (T::from_f64(1.5707963267948966) - φ) + t1;
+        // slope of the potential energy of springs
+        let dP_s_dφ = p.ddP_s_dφ_dφ * (φ - 1.5707963267948966);
         // ── state ──
-        let t2 = p.per_C0 * (dP_s_dφ + p.l_push * φ.sin() * (p.constant1 * t).sin());
-        let ddφ = -t2;
+        let t1 = p.per_C0 * (dP_s_dφ + p.l_push * φ.sin() * (p.constant1 * t).sin());
+        let ddφ = -t1;
         dx[0] = dφ;
         dx[1] = ddφ;
     }
@@ -280,12 +274,10 @@ pub mod parallelogram_stage {
         let φ = x[0];
         let dφ = x[1];
         // ── configuration ──
-        let φ_right_minus_φ_right_0 = φ - 1.5707963267948966;
-        let t1 = p.half_k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0);
+        let t1 = φ - 1.5707963267948966;
         let t2 = T::from_f64(1.5707963267948966) - φ;
-        let t3 = p.half_k * (t2 * t2);
         result[0] = p.half_C0 * (dφ * dφ);
-        result[1] = t1 + t1 + t3 + t3;
+        result[1] = p.k * (t1 * t1) + p.k * (t2 * t2);
         result[2] = T::from_f64(0.0);
         result[3] = -(p.l_push * φ.sin() * ((p.constant1 * t).sin() * dφ));
     }
@@ -704,10 +696,7 @@ Constants of the inertia
 Equation of motion of `left`
 ────────────────────────────
 
-  ∂P_s/∂φ = k (φ - φ⁰)
-          + k (φ_right - φ_right⁰)
-          - k (φ_stage - φ_stage⁰ - φ + φ⁰)
-          + k (φ_right - φ_right⁰ - (φ_stage - φ_stage⁰))
+  ∂P_s/∂φ = 4 k (φ - φ⁰)
   τ       = -l push sin(2 π f t) sin(φ)
 
   C0 φ̈ + ∂P_s/∂φ = τ
@@ -723,7 +712,6 @@ Constants
   r_right = ½ l               distance of the centre of mass from the first end of right
   I_right = 1/12 ml l²        moment of inertia about the centre of mass of right
   φ⁰      = ½ π               angle of `left` as assembled
-  φ_stage - φ_stage⁰ = 0
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -754,10 +742,7 @@ C_{0} &= I_{\mathrm{left}} + I_{\mathrm{right}} + \mathit{ml} \, r_{\mathrm{left
 
 \subsection*{Equation of motion of \texttt{left}}
 \begin{align*}
-\frac{\partial P_s}{\partial \varphi} &= k \left(\varphi - \varphi^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0 - \varphi + \varphi^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0 - \left(\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0\right)\right) \\
+\frac{\partial P_s}{\partial \varphi} &= 4 \, k \left(\varphi - \varphi^0\right) \\
 \tau &= -l \, \mathit{push} \sin\left(2 \, \pi \, f \, t\right) \sin \varphi \\
 & C_{0}\,\ddot{\varphi} + \frac{\partial P_s}{\partial \varphi} = \tau
 \end{align*}
@@ -771,8 +756,7 @@ r_{\mathrm{left}} &= \frac{1}{2} \, l && \text{distance of the centre of mass fr
 I_{\mathrm{left}} &= \frac{1}{12} \, \mathit{ml} \, l^{2} && \text{moment of inertia about the centre of mass of left} \\
 r_{\mathrm{right}} &= \frac{1}{2} \, l && \text{distance of the centre of mass from the first end of right} \\
 I_{\mathrm{right}} &= \frac{1}{12} \, \mathit{ml} \, l^{2} && \text{moment of inertia about the centre of mass of right} \\
-\varphi^0 &= \frac{1}{2} \, \pi && \text{angle of \texttt{left} as assembled} \\
-\varphi_{\mathrm{stage}} - \varphi_{\mathrm{stage}}^0 &= 0
+\varphi^0 &= \frac{1}{2} \, \pi && \text{angle of \texttt{left} as assembled}
 \end{align*}
 
 \end{document}

@@ -169,11 +169,11 @@ pub mod pendulum {
         let φ = x[0];
         let dφ = x[1];
         // ── configuration ──
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ = p.k * (φ + 1.5707963267948966);
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ = p.constant1 * φ.cos();
-        // potential energy
+        // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
         // ── state ──
         let ddφ = -(p.per_C0 * (dP_dφ + p.c * dφ));

@@ -199,12 +199,11 @@ pub mod six_bar {
             let t5 = l2_squared - l3_squared;
             let κ1_0 = (t5 + D1_0) * 0.5 / D1_0;
             let Y1_0_κ1_0 = Y1_0 * κ1_0;
-            let t6 = (l2 * X1_0 * 0.25881904510252074 - l2 * Y1_0 * 0.9659258262890683)
-                / l2_squared;
-            let t7 = l3 * X1_0 * 0.9986295347545738 - l3 * Y1_0 * 0.052335956242943966;
+            let t6 = (X1_0 * 0.25881904510252074 - Y1_0 * 0.9659258262890683) / l2
+                + (X1_0 * 0.9986295347545738 - Y1_0 * 0.052335956242943966) / l3;
             // which way the loop closes: as drawn
-            let s1 = (t6 + t7 / l3_squared).if_positive(1.0, -1.0);
-            let η1_0 = s1 * (-t3).sqrt() * 0.5 / D1_0;
+            let ε1 = t6.if_positive(1.0, -1.0);
+            let η1_0 = ε1 * (-t3).sqrt() * 0.5 / D1_0;
             let X1_0_η1_0 = X1_0 * η1_0;
             let s2_0 = (Y1_0_κ1_0 + X1_0_η1_0) / l2;
             let X1_0_κ1_0 = X1_0 * κ1_0;
@@ -218,9 +217,9 @@ pub mod six_bar {
             let D2_0 = X2_0 * X2_0 + Y2_0 * Y2_0;
             let l5_plus_l6 = l5 + l6;
             let l5_plus_l6_squared = l5_plus_l6 * l5_plus_l6;
-            let t8 = (l5_minus_l6_squared - D2_0) * (l5_plus_l6_squared - D2_0);
+            let t7 = (l5_minus_l6_squared - D2_0) * (l5_plus_l6_squared - D2_0);
             let l5_squared_l6_squared = l5_squared * l6_squared;
-            let t9 = t8 * 0.25 / l5_squared_l6_squared;
+            let t8 = t7 * 0.25 / l5_squared_l6_squared;
             // distance of the centre of mass from the first end of crank
             let r1 = l1 * 0.5;
             // constant of the inertia
@@ -231,33 +230,31 @@ pub mod six_bar {
             let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / l3);
             // angle of `rocker` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5184364492350666);
-            let t10 = (1.2217304763960306 - φ3_0).sin();
+            let t9 = (1.2217304763960306 - φ3_0).sin();
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t11 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
-            let t12 = 1.2217304763960306 - φ2_0;
-            let (t13, t14) = t12.sin_cos();
-            let t15 = C0 + l1_squared * C1 * (t10 * t10) / (l2_squared * t11)
-                + l1_squared * C2 * (t13 * t13) / (l3_squared * t11);
+            let t11 = 1.2217304763960306 - φ2_0;
+            let (t12, t13) = t11.sin_cos();
+            let t14 = C0 + l1_squared * C1 * (t9 * t9) / (l2_squared * t10)
+                + l1_squared * C2 * (t12 * t12) / (l3_squared * t10);
             // distance of the centre of mass from the first end of connector
             let r5 = l5 * 0.5;
             let r5_minus_l5 = r5 - l5;
             // constant of the inertia
             let C3 = I5 + m5 * (r5_minus_l5 * r5_minus_l5);
-            let t16 = l1 * cx * t10;
-            let t17 = l5_squared - l6_squared;
-            let κ2_0 = (t17 + D2_0) * 0.5 / D2_0;
+            let t15 = l1 * cx * t9;
+            let t16 = l5_squared - l6_squared;
+            let κ2_0 = (t16 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ2_0 = Y2_0 * κ2_0;
-            let t18 = (l5 * X2_0 * 0.5877852522924731 - l5 * Y2_0 * 0.8090169943749475)
-                / l5_squared;
-            let t19 = (l6 * X2_0 * 0.9335804264972017 + l6 * Y2_0 * 0.35836794954530027)
-                / l6_squared;
+            let t17 = (X2_0 * 0.5877852522924731 - Y2_0 * 0.8090169943749475) / l5
+                + (X2_0 * 0.9335804264972017 + Y2_0 * 0.35836794954530027) / l6;
             // which way the loop closes: as drawn
-            let s2_2 = (t18 + t19).if_positive(1.0, -1.0);
-            let η2_0 = s2_2 * (-t8).sqrt() * 0.5 / D2_0;
+            let ε2 = t17.if_positive(1.0, -1.0);
+            let η2_0 = ε2 * (-t7).sqrt() * 0.5 / D2_0;
             let X2_0_η2_0 = X2_0 * η2_0;
             let s6_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / l6;
             let X2_0_κ2_0 = X2_0 * κ2_0;
@@ -269,11 +266,11 @@ pub mod six_bar {
             let (sin_φ2_0_minus_φ6_0, cos_φ2_0_minus_φ6_0) = φ2_0_minus_φ6_0
                 .sin_cos();
             let l2_sin_φ2_0_minus_φ3_0 = l2 * sin_φ2_0_minus_φ3_0;
-            let t20 = t16 * sin_φ2_0_minus_φ6_0 / l2_sin_φ2_0_minus_φ3_0
+            let t18 = t15 * sin_φ2_0_minus_φ6_0 / l2_sin_φ2_0_minus_φ3_0
                 - l1 * (1.2217304763960306 - φ6_0).sin();
             let l1_cy = l1 * cy;
-            let t21 = l1_cy * t10;
-            let t22 = t20 + t21 * cos_φ2_0_minus_φ6_0 / l2_sin_φ2_0_minus_φ3_0;
+            let t19 = l1_cy * t9;
+            let t20 = t18 + t19 * cos_φ2_0_minus_φ6_0 / l2_sin_φ2_0_minus_φ3_0;
             let s5_0 = (Y2_0_κ2_0 + X2_0_η2_0) / l5;
             let c5_0 = (X2_0_κ2_0 - Y2_0_η2_0) / l5;
             // angle of `connector` as assembled
@@ -281,7 +278,7 @@ pub mod six_bar {
             let φ5_0_minus_φ6_0 = φ5_0 - φ6_0;
             let (sin_φ5_0_minus_φ6_0, cos_φ5_0_minus_φ6_0) = φ5_0_minus_φ6_0
                 .sin_cos();
-            let t23 = sin_φ5_0_minus_φ6_0 * sin_φ5_0_minus_φ6_0;
+            let t21 = sin_φ5_0_minus_φ6_0 * sin_φ5_0_minus_φ6_0;
             // distance of the centre of mass from the first end of output_rocker
             let r6 = l6 * 0.5;
             // constant of the inertia
@@ -289,22 +286,22 @@ pub mod six_bar {
             let φ2_0_minus_φ5_0 = φ2_0 - φ5_0;
             let (sin_φ2_0_minus_φ5_0, cos_φ2_0_minus_φ5_0) = φ2_0_minus_φ5_0
                 .sin_cos();
-            let t24 = t16 * sin_φ2_0_minus_φ5_0 / l2_sin_φ2_0_minus_φ3_0
+            let t22 = t15 * sin_φ2_0_minus_φ5_0 / l2_sin_φ2_0_minus_φ3_0
                 - l1 * (1.2217304763960306 - φ5_0).sin();
-            let t25 = t24 + t21 * cos_φ2_0_minus_φ5_0 / l2_sin_φ2_0_minus_φ3_0;
-            let t26 = t15 + C3 * (t22 * t22) / (l5_squared * t23)
-                + C4 * (t25 * t25) / (l6_squared * t23);
+            let t23 = t22 + t19 * cos_φ2_0_minus_φ5_0 / l2_sin_φ2_0_minus_φ3_0;
+            let t24 = t14 + C3 * (t20 * t20) / (l5_squared * t21)
+                + C4 * (t23 * t23) / (l6_squared * t21);
             let l5_minus_r5 = l5 - r5;
             // constant of the inertia
             let C7 = -(l6 * m5 * l5_minus_r5 * 2.0);
             // constant of the inertia
             let C5 = l1 * l2 * m2;
-            let t27 = t26 + C7 * t22 * t25 * cos_φ5_0_minus_φ6_0 / (l5 * l6 * t23)
-                - l1 * C5 * t10 * t14 / l2_sin_φ2_0_minus_φ3_0;
+            let t25 = t24 + C7 * t20 * t23 * cos_φ5_0_minus_φ6_0 / (l5 * l6 * t21)
+                - l1 * C5 * t9 * t13 / l2_sin_φ2_0_minus_φ3_0;
             // constant of the inertia
             let C6 = l1_cy * m2 * 0.6666666666666666;
             // inertia as assembled
-            let A_crank_0 = t27 - l1 * C6 * t10 * t13 / l2_sin_φ2_0_minus_φ3_0;
+            let A_crank_0 = t25 - l1 * C6 * t9 * t12 / l2_sin_φ2_0_minus_φ3_0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
             }
@@ -379,7 +376,7 @@ pub mod six_bar {
                         ),
                 );
             }
-            if !(-t9 >= 0.0) {
+            if !(-t8 >= 0.0) {
                 let sqrt_D2_0 = D2_0.sqrt();
                 return Err(
                     FAILURES[17]
@@ -393,7 +390,7 @@ pub mod six_bar {
                         ),
                 );
             }
-            if !(-(t9 + 1e-12) > 0.0) {
+            if !(-(t8 + 1e-12) > 0.0) {
                 let sqrt_D2_0_2 = D2_0.sqrt();
                 return Err(
                     FAILURES[18]
@@ -436,7 +433,7 @@ pub mod six_bar {
                 constant1: t5,
                 l2_minus_l3_squared,
                 l2_plus_l3_squared,
-                half_s1: s1 * 0.5,
+                half_ε1: ε1 * 0.5,
                 per_l2: l2.recip(),
                 per_l3: l3.recip(),
                 l1_per_l2: l1 / l2,
@@ -444,12 +441,12 @@ pub mod six_bar {
                 l1_per_l3: l1 / l3,
                 r3,
                 C2,
-                constant2: t17,
+                constant2: t16,
                 l5_minus_l6_squared,
                 l5_plus_l6_squared,
                 s2_0,
                 c2_0,
-                half_s2_2: s2_2 * 0.5,
+                half_ε2: ε2 * 0.5,
                 per_l5: l5.recip(),
                 per_l6: l6.recip(),
                 C3,
@@ -542,8 +539,8 @@ pub mod six_bar {
         pub l2_minus_l3_squared: T,
         /// `(l2 + l3) * (l2 + l3)`
         pub l2_plus_l3_squared: T,
-        /// `0.5 * s1`
-        pub half_s1: T,
+        /// `0.5 * ε1`
+        pub half_ε1: T,
         /// `1.0 / l2`
         pub per_l2: T,
         /// `1.0 / l3`
@@ -568,8 +565,8 @@ pub mod six_bar {
         pub s2_0: T,
         /// `c2⁰`
         pub c2_0: T,
-        /// `0.5 * s2_2`
-        pub half_s2_2: T,
+        /// `0.5 * ε2`
+        pub half_ε2: T,
         /// `1.0 / l5`
         pub per_l5: T,
         /// `1.0 / l6`
@@ -669,7 +666,7 @@ pub mod six_bar {
                 constant1: turn(self.constant1),
                 l2_minus_l3_squared: turn(self.l2_minus_l3_squared),
                 l2_plus_l3_squared: turn(self.l2_plus_l3_squared),
-                half_s1: turn(self.half_s1),
+                half_ε1: turn(self.half_ε1),
                 per_l2: turn(self.per_l2),
                 per_l3: turn(self.per_l3),
                 l1_per_l2: turn(self.l1_per_l2),
@@ -682,7 +679,7 @@ pub mod six_bar {
                 l5_plus_l6_squared: turn(self.l5_plus_l6_squared),
                 s2_0: turn(self.s2_0),
                 c2_0: turn(self.c2_0),
-                half_s2_2: turn(self.half_s2_2),
+                half_ε2: turn(self.half_ε2),
                 per_l5: turn(self.per_l5),
                 per_l6: turn(self.per_l6),
                 C3: turn(self.C3),
@@ -750,7 +747,7 @@ pub mod six_bar {
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let Y1_κ1 = Y1 * κ1;
         let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_s1 * (per_D1 * t1);
+        let η1 = p.half_ε1 * (per_D1 * t1);
         let X1_η1 = X1 * η1;
         let s2 = p.per_l2 * (Y1_κ1 + X1_η1);
         let X1_κ1 = X1 * κ1;
@@ -779,7 +776,7 @@ pub mod six_bar {
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
         let t5 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_s2_2 * (per_D2 * t5);
+        let η2 = p.half_ε2 * (per_D2 * t5);
         let X2_η2 = X2 * η2;
         let s5 = p.per_l5 * (Y2_κ2 + X2_η2);
         let X2_κ2 = X2 * κ2;
@@ -842,7 +839,7 @@ pub mod six_bar {
         let t22 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `output_rocker` from the assembled one
         let φ6_minus_φ6_0 = t22.unwrap_to(turn_output_rocker);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t20 + p.k * (t21 * (φ5_minus_φ5_0 - φ6_minus_φ6_0))
             + p.k * (φ6_minus_φ6_0 * ω6);
         let t23 = p.m2
@@ -850,9 +847,9 @@ pub mod six_bar {
         let t24 = ω6 * t6;
         let t25 = p.m1_r1 * cos_φ1 + t23 - p.m3_r3 * (ω3 * t2)
             - p.m5 * (p.l6 * t24 + p.l5_minus_r5 * (ω5 * c5));
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t25 - p.m6_r6 * t24) * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
@@ -887,7 +884,7 @@ pub mod six_bar {
             + p.C6 * (sin_φ1_minus_φ2 * ω2_prime);
         let t38 = t37 - p.C6 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one)
             + p.C7 * (ω6 * cos_φ5_minus_φ6 * ω5_prime);
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t38 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime)
             - p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t21);
         // ── state ──
@@ -930,7 +927,7 @@ pub mod six_bar {
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let Y1_κ1 = Y1 * κ1;
         let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_s1 * (per_D1 * t1);
+        let η1 = p.half_ε1 * (per_D1 * t1);
         let X1_η1 = X1 * η1;
         let s2 = p.per_l2 * (Y1_κ1 + X1_η1);
         let X1_κ1 = X1 * κ1;
@@ -960,7 +957,7 @@ pub mod six_bar {
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
         let t5 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_s2_2 * (per_D2 * t5);
+        let η2 = p.half_ε2 * (per_D2 * t5);
         let X2_η2 = X2 * η2;
         let s5 = p.per_l5 * (Y2_κ2 + X2_η2);
         let X2_κ2 = X2 * κ2;
@@ -1057,7 +1054,7 @@ pub mod six_bar {
         let ω5_cos_φ5_minus_φ6 = ω5 * cos_φ5_minus_φ6;
         let sin_φ5_minus_φ6_ω5 = sin_φ5_minus_φ6 * ω5;
         let sin_φ5_minus_φ6_ω5_ω6 = sin_φ5_minus_φ6_ω5 * ω6;
-        // its derivative
+        // slope of the inertia
         let dA_dφ1 = t30 + p.C7 * (ω5_cos_φ5_minus_φ6 * ω6_prime)
             - p.C7 * (sin_φ5_minus_φ6_ω5_ω6 * t19);
         let t31 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
@@ -1080,16 +1077,16 @@ pub mod six_bar {
         let t39 = φ5_minus_φ5_0 - φ6_minus_φ6_0;
         let t40 = t35 + p.k * (φ3_minus_φ3_0 * ω3) + p.k * (t24 * t37)
             + p.k * (t19 * t39);
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ1 = t40 + p.k * (φ6_minus_φ6_0 * ω6);
         let t41 = p.m2
             * (l1_cos_φ1 + p.half_l2 * (ω2 * c2) - p.constant3 * (ω2 * s2));
         let t42 = ω6 * t6;
         let t43 = p.m1_r1 * cos_φ1 + t41 - p.m3_r3 * (ω3 * t2)
             - p.m5 * (p.l6 * t42 + p.l5_minus_r5 * (ω5 * c5));
-        // gravity
+        // slope of the potential energy of gravity
         let dP_g_dφ1 = (t43 - p.m6_r6 * t42) * 9.81;
-        // potential energy
+        // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
         let c_ω2_minus_one_squared = p.c * ω2_minus_one_squared;
@@ -1243,7 +1240,7 @@ pub mod six_bar {
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_s1 * (per_D1 * t1);
+        let η1 = p.half_ε1 * (per_D1 * t1);
         let s2 = p.per_l2 * (Y1 * κ1 + X1 * η1);
         let c2 = p.per_l2 * (X1 * κ1 - Y1 * η1);
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
@@ -1254,7 +1251,7 @@ pub mod six_bar {
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let t2 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_s2_2 * (per_D2 * t2);
+        let η2 = p.half_ε2 * (per_D2 * t2);
         let s6 = p.per_l6 * (Y2 * κ2 - Y2 + X2 * η2);
         let c6 = -(p.per_l6 * (X2 - X2 * κ2 + Y2 * η2));
         let t3 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
@@ -1293,7 +1290,7 @@ pub mod six_bar {
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let Y1_κ1 = Y1 * κ1;
         let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_s1 * (per_D1 * t1);
+        let η1 = p.half_ε1 * (per_D1 * t1);
         let X1_η1 = X1 * η1;
         let s2 = p.per_l2 * (Y1_κ1 + X1_η1);
         let X1_κ1 = X1 * κ1;
@@ -1321,7 +1318,7 @@ pub mod six_bar {
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
         let t4 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_s2_2 * (per_D2 * t4);
+        let η2 = p.half_ε2 * (per_D2 * t4);
         let X2_η2 = X2 * η2;
         let s5 = p.per_l5 * (Y2_κ2 + X2_η2);
         let X2_κ2 = X2 * κ2;
@@ -1431,7 +1428,7 @@ pub mod six_bar {
         let t1 = (D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared);
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
-        let η1 = p.half_s1 * (per_D1 * (-t1).sqrt());
+        let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
         let s2 = p.per_l2 * (Y1 * κ1 + X1 * η1);
         let c2 = p.per_l2 * (X1 * κ1 - Y1 * η1);
         // vector that is left to close crank–coupler–connector–output_rocker
@@ -1472,7 +1469,7 @@ pub mod six_bar {
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let Y1_κ1 = Y1 * κ1;
         let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_s1 * (per_D1 * t1);
+        let η1 = p.half_ε1 * (per_D1 * t1);
         let X1_η1 = X1 * η1;
         let s2 = p.per_l2 * (Y1_κ1 + X1_η1);
         let X1_κ1 = X1 * κ1;
@@ -1495,7 +1492,7 @@ pub mod six_bar {
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
         let t4 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_s2_2 * (per_D2 * t4);
+        let η2 = p.half_ε2 * (per_D2 * t4);
         let X2_η2 = X2 * η2;
         let s5 = p.per_l5 * (Y2_κ2 + X2_η2);
         let X2_κ2 = X2 * κ2;
@@ -2164,13 +2161,14 @@ Loop crank–coupler–rocker
   Y1 = y2 - l1 sin(φ1)
   D1 = X1² + Y1²
   κ1 = (l2² - l3² + D1) / (2 D1)
-  η1 = s1 sqrt((D1 - (l2 - l3)²) ((l2 + l3)² - D1)) / (2 D1)
+  η1 = ε1 sqrt((D1 - (l2 - l3)²) ((l2 + l3)² - D1)) / (2 D1)
   c2 = (X1 κ1 - Y1 η1) / l2
   s2 = (Y1 κ1 + X1 η1) / l2
   c3 = -(X1 - X1 κ1 + Y1 η1) / l3
   s3 = (Y1 κ1 - Y1 + X1 η1) / l3
 
   φ2 = atan2(s2, c2), φ3 = atan2(s3, c3), continuous over many turns; ⁰: as assembled
+  ω2 = dφ2/dφ1, ω3 = dφ3/dφ1, ' = d/dφ1
 
   ω2  = l1 sin(φ3 - φ1) / (l2 sin(φ2 - φ3))
   ω3  = l1 sin(φ2 - φ1) / (l3 sin(φ2 - φ3))
@@ -2186,13 +2184,14 @@ Loop crank–coupler–connector–output_rocker
   Y2 = y3 - l1 sin(φ1) - cx sin(φ2) - cy cos(φ2)
   D2 = X2² + Y2²
   κ2 = (l5² - l6² + D2) / (2 D2)
-  η2 = s2_2 sqrt((D2 - (l5 - l6)²) ((l5 + l6)² - D2)) / (2 D2)
+  η2 = ε2 sqrt((D2 - (l5 - l6)²) ((l5 + l6)² - D2)) / (2 D2)
   c5 = (X2 κ2 - Y2 η2) / l5
   s5 = (Y2 κ2 + X2 η2) / l5
   c6 = -(X2 - X2 κ2 + Y2 η2) / l6
   s6 = (Y2 κ2 - Y2 + X2 η2) / l6
 
   φ5 = atan2(s5, c5), φ6 = atan2(s6, c6), continuous over many turns; ⁰: as assembled
+  ω5 = dφ5/dφ1, ω6 = dφ6/dφ1, ' = d/dφ1
 
   ω5  = (l1 sin(φ1 - φ6) + cx ω2 sin(φ2 - φ6) + cy ω2 cos(φ2 - φ6)) / (l5 sin(φ6 - φ5))
   ω6  = (l1 sin(φ1 - φ5) + cx ω2 sin(φ2 - φ5) + cy ω2 cos(φ2 - φ5)) / (l6 sin(φ6 - φ5))
@@ -2218,25 +2217,30 @@ Constants of the inertia
 Equation of motion of `crank`
 ─────────────────────────────
 
-  A(φ1)    = C0
-           + C1 ω2²
-           + C2 ω3²
-           + C3 ω5²
-           + C4 ω6²
-           + C5 ω2 cos(φ1 - φ2)
-           + C6 ω2 sin(φ1 - φ2)
-           + C7 ω5 ω6 cos(φ5 - φ6)
-  ∂A/∂φ1   = 2 C1 ω2 ω2'
-           + 2 C2 ω3 ω3'
-           + 2 C3 ω5 ω5'
-           + 2 C4 ω6 ω6'
-           + C5 ω2' cos(φ1 - φ2)
-           + C5 ω2 (ω2 - 1) sin(φ1 - φ2)
-           + C6 ω2' sin(φ1 - φ2)
-           + C6 ω2 (1 - ω2) cos(φ1 - φ2)
-           + C7 ω6 ω5' cos(φ5 - φ6)
-           + C7 ω5 ω6' cos(φ5 - φ6)
-           + C7 ω5 ω6 (ω5 - ω6) sin(φ6 - φ5)
+Inertia:
+
+  A(φ1)  = C0
+         + C1 ω2²
+         + C2 ω3²
+         + C3 ω5²
+         + C4 ω6²
+         + C5 ω2 cos(φ1 - φ2)
+         + C6 ω2 sin(φ1 - φ2)
+         + C7 ω5 ω6 cos(φ5 - φ6)
+  ∂A/∂φ1 = 2 C1 ω2 ω2'
+         + 2 C2 ω3 ω3'
+         + 2 C3 ω5 ω5'
+         + 2 C4 ω6 ω6'
+         + C5 ω2' cos(φ1 - φ2)
+         + C5 ω2 (ω2 - 1) sin(φ1 - φ2)
+         + C6 ω2' sin(φ1 - φ2)
+         + C6 ω2 (1 - ω2) cos(φ1 - φ2)
+         + C7 ω6 ω5' cos(φ5 - φ6)
+         + C7 ω5 ω6' cos(φ5 - φ6)
+         + C7 ω5 ω6 (ω5 - ω6) sin(φ6 - φ5)
+
+Potential energy:
+
   ∂P_s/∂φ1 = k (φ1 - φ1⁰)
            + k (ω2 - 1) (φ2 - φ2⁰ - φ1 + φ1⁰)
            + k (ω2 - ω3) (φ2 - φ2⁰ - (φ3 - φ3⁰))
@@ -2248,48 +2252,44 @@ Equation of motion of `crank`
                + m3 r3 ω3 cos(φ3) + m5 (l6 ω6 cos(φ6) + ω5 (r5 - l5) cos(φ5))
                + m6 r6 ω6 cos(φ6))
   ∂P/∂φ1   = ∂P_s/∂φ1 + ∂P_g/∂φ1
-  τ        = torque sin(2 π f t)
-           - c φ̇1
-           - c φ̇1 (ω2 - 1)²
-           - c φ̇1 (ω2 - ω3)²
-           - c φ̇1 ω3²
-           - c φ̇1 (ω2 - ω5)²
-           - c φ̇1 (ω5 - ω6)²
-           - c φ̇1 ω6²
+
+Other forces:
+
+  τ = torque sin(2 π f t)
+    - c φ̇1
+    - c φ̇1 (ω2 - 1)²
+    - c φ̇1 (ω2 - ω3)²
+    - c φ̇1 ω3²
+    - c φ̇1 (ω2 - ω5)²
+    - c φ̇1 (ω5 - ω6)²
+    - c φ̇1 ω6²
+
+Balance:
 
   A(φ1) φ̈1 + ½ ∂A/∂φ1 φ̇1² + ∂P/∂φ1 = τ
 
 Constants
 ─────────
 
-  r1   = ½ l1          distance of the centre of mass from the first end of crank
-  I1   = 1/12 m1 l1²   moment of inertia about the centre of mass of crank
-  I2   = 1/12 m2 l2²   moment of inertia about the centre of mass of coupler
-  r3   = ½ l3          distance of the centre of mass from the first end of rocker
-  I3   = 1/12 m3 l3²   moment of inertia about the centre of mass of rocker
-  r5   = ½ l5          distance of the centre of mass from the first end of connector
-  I5   = 1/12 m5 l5²   moment of inertia about the centre of mass of connector
-  r6   = ½ l6          distance of the centre of mass from the first end of output_rocker
-  I6   = 1/12 m6 l6²   moment of inertia about the centre of mass of output_rocker
-  φ1⁰  = 7/18 π        angle of `crank` as assembled
-  φ2⁰  = unwrap(atan2(s2⁰, c2⁰); 1/12 π)
-         angle of `coupler` as assembled
-  s1   = if (l2 X1⁰ sin(1/12 π) - l2 Y1⁰ cos(1/12 π)) / l2²
-           + (l3 X1⁰ sin(29/60 π) - l3 Y1⁰ cos(29/60 π)) / l3² > 0 then 1 else -1
-         which way the loop closes: as drawn
-  X1⁰  = x2 - l1 cos(φ1⁰)
-  Y1⁰  = y2 - l1 sin(φ1⁰)
-  D1⁰  = (X1⁰)² + (Y1⁰)²
-  κ1⁰  = (l2² - l3² + D1⁰) / (2 D1⁰)
-  η1⁰  = s1 sqrt(((l2 - l3)² - D1⁰) (D1⁰ - (l2 + l3)²)) / (2 D1⁰)
-  c2⁰  = (X1⁰ κ1⁰ - Y1⁰ η1⁰) / l2
-  s2⁰  = (Y1⁰ κ1⁰ + X1⁰ η1⁰) / l2
-  s2_2 = if (l5 X2⁰ sin(0.2 π) - l5 Y2⁰ cos(0.2 π)) / l5²
-           + (l6 X2⁰ sin(37/60 π) - l6 Y2⁰ cos(37/60 π)) / l6² > 0 then 1 else -1
-         which way the loop closes: as drawn
-  X2⁰  = x3 - l1 cos(φ1⁰) + cy sin(φ2⁰) - cx cos(φ2⁰)
-  Y2⁰  = y3 - l1 sin(φ1⁰) - cx sin(φ2⁰) - cy cos(φ2⁰)
-  g    = 9.81          acceleration of gravity
+  r1  = ½ l1          distance of the centre of mass from the first end of crank
+  I1  = 1/12 m1 l1²   moment of inertia about the centre of mass of crank
+  I2  = 1/12 m2 l2²   moment of inertia about the centre of mass of coupler
+  r3  = ½ l3          distance of the centre of mass from the first end of rocker
+  I3  = 1/12 m3 l3²   moment of inertia about the centre of mass of rocker
+  r5  = ½ l5          distance of the centre of mass from the first end of connector
+  I5  = 1/12 m5 l5²   moment of inertia about the centre of mass of connector
+  r6  = ½ l6          distance of the centre of mass from the first end of output_rocker
+  I6  = 1/12 m6 l6²   moment of inertia about the centre of mass of output_rocker
+  φ1⁰ = 7/18 π        angle of `crank` as assembled
+  ε1  = sign((X1⁰ sin(1/12 π) - Y1⁰ cos(1/12 π)) / l2
+          + (X1⁰ sin(29/60 π) - Y1⁰ cos(29/60 π)) / l3)
+        which way the loop closes: as drawn
+  ε2  = sign((X2⁰ sin(0.2 π) - Y2⁰ cos(0.2 π)) / l5
+          + (X2⁰ sin(37/60 π) - Y2⁰ cos(37/60 π)) / l6)
+        which way the loop closes: as drawn
+  g   = 9.81          acceleration of gravity
+
+  φ2⁰, φ3⁰, X1⁰, Y1⁰, φ5⁰, φ6⁰, X2⁰, Y2⁰: by the formulas of the loops, at φ1 = φ1⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -2311,12 +2311,13 @@ X_{1} &= x_{2} - l_{1} \cos \varphi_{1} \\
 Y_{1} &= y_{2} - l_{1} \sin \varphi_{1} \\
 D_{1} &= X_{1}^{2} + Y_{1}^{2} \\
 \kappa_{1} &= \frac{l_{2}^{2} - l_{3}^{2} + D_{1}}{2 \, D_{1}} \\
-\eta_{1} &= \frac{s_{1}}{2 \, D_{1}} \, \sqrt{\left(D_{1} - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D_{1}\right)} \\
+\eta_{1} &= \frac{\varepsilon_{1}}{2 \, D_{1}} \, \sqrt{\left(D_{1} - \left(l_{2} - l_{3}\right)^{2}\right) \left(\left(l_{2} + l_{3}\right)^{2} - D_{1}\right)} \\
 \cos \varphi_{2} &= \frac{X_{1} \, \kappa_{1} - Y_{1} \, \eta_{1}}{l_{2}} \\
 \sin \varphi_{2} &= \frac{Y_{1} \, \kappa_{1} + X_{1} \, \eta_{1}}{l_{2}} \\
 \cos \varphi_{3} &= -\frac{X_{1} - X_{1} \, \kappa_{1} + Y_{1} \, \eta_{1}}{l_{3}} \\
 \sin \varphi_{3} &= \frac{Y_{1} \, \kappa_{1} - Y_{1} + X_{1} \, \eta_{1}}{l_{3}} \\
 & \varphi_{2} = \operatorname{atan2}(\sin \varphi_{2}, \cos \varphi_{2}),\quad \varphi_{3} = \operatorname{atan2}(\sin \varphi_{3}, \cos \varphi_{3}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{2} = \frac{\mathrm d\varphi_{2}}{\mathrm d\varphi_{1}},\quad \omega_{3} = \frac{\mathrm d\varphi_{3}}{\mathrm d\varphi_{1}},\quad {}' = \frac{\mathrm d}{\mathrm d\varphi_{1}} \\
 \omega_{2} &= \frac{l_{1} \sin\left(\varphi_{3} - \varphi_{1}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega_{3} &= \frac{l_{1} \sin\left(\varphi_{2} - \varphi_{1}\right)}{l_{3} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
 \omega'_{2} &= \frac{l_{1} \left(\omega_{3} - 1\right) \cos\left(\varphi_{1} - \varphi_{3}\right) + l_{2} \, \omega_{2} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{l_{2} \sin\left(\varphi_{2} - \varphi_{3}\right)} \\
@@ -2330,12 +2331,13 @@ X_{2} &= x_{3} - l_{1} \cos \varphi_{1} + \mathit{cy} \sin \varphi_{2} - \mathit
 Y_{2} &= y_{3} - l_{1} \sin \varphi_{1} - \mathit{cx} \sin \varphi_{2} - \mathit{cy} \cos \varphi_{2} \\
 D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \kappa_{2} &= \frac{l_{5}^{2} - l_{6}^{2} + D_{2}}{2 \, D_{2}} \\
-\eta_{2} &= \frac{s_{2,2}}{2 \, D_{2}} \, \sqrt{\left(D_{2} - \left(l_{5} - l_{6}\right)^{2}\right) \left(\left(l_{5} + l_{6}\right)^{2} - D_{2}\right)} \\
+\eta_{2} &= \frac{\varepsilon_{2}}{2 \, D_{2}} \, \sqrt{\left(D_{2} - \left(l_{5} - l_{6}\right)^{2}\right) \left(\left(l_{5} + l_{6}\right)^{2} - D_{2}\right)} \\
 \cos \varphi_{5} &= \frac{X_{2} \, \kappa_{2} - Y_{2} \, \eta_{2}}{l_{5}} \\
 \sin \varphi_{5} &= \frac{Y_{2} \, \kappa_{2} + X_{2} \, \eta_{2}}{l_{5}} \\
 \cos \varphi_{6} &= -\frac{X_{2} - X_{2} \, \kappa_{2} + Y_{2} \, \eta_{2}}{l_{6}} \\
 \sin \varphi_{6} &= \frac{Y_{2} \, \kappa_{2} - Y_{2} + X_{2} \, \eta_{2}}{l_{6}} \\
 & \varphi_{5} = \operatorname{atan2}(\sin \varphi_{5}, \cos \varphi_{5}),\quad \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
+& \omega_{5} = \frac{\mathrm d\varphi_{5}}{\mathrm d\varphi_{1}},\quad \omega_{6} = \frac{\mathrm d\varphi_{6}}{\mathrm d\varphi_{1}},\quad {}' = \frac{\mathrm d}{\mathrm d\varphi_{1}} \\
 \omega_{5} &= \frac{l_{1} \sin\left(\varphi_{1} - \varphi_{6}\right) + \mathit{cx} \, \omega_{2} \sin\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cy} \, \omega_{2} \cos\left(\varphi_{2} - \varphi_{6}\right)}{l_{5} \sin\left(\varphi_{6} - \varphi_{5}\right)} \\
 \omega_{6} &= \frac{l_{1} \sin\left(\varphi_{1} - \varphi_{5}\right) + \mathit{cx} \, \omega_{2} \sin\left(\varphi_{2} - \varphi_{5}\right) + \mathit{cy} \, \omega_{2} \cos\left(\varphi_{2} - \varphi_{5}\right)}{l_{6} \sin\left(\varphi_{6} - \varphi_{5}\right)} \\
 \omega'_{5} &= \frac{l_{1} \left(1 - \omega_{6}\right) \cos\left(\varphi_{1} - \varphi_{6}\right) + \mathit{cx} \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cx} \, \omega_{2} \left(\omega_{2} - \omega_{6}\right) \cos\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cy} \, \omega'_{2} \cos\left(\varphi_{2} - \varphi_{6}\right) + \mathit{cy} \, \omega_{2} \left(\omega_{2} - \omega_{6}\right) \sin\left(\varphi_{6} - \varphi_{2}\right) + l_{5} \, \omega_{5} \left(\omega_{5} - \omega_{6}\right) \cos\left(\varphi_{5} - \varphi_{6}\right)}{l_{5} \sin\left(\varphi_{6} - \varphi_{5}\right)} \\
@@ -2355,6 +2357,7 @@ C_{7} &= 2 \, l_{6} \, m_{5} \left(r_{5} - l_{5}\right)
 \end{align*}
 
 \subsection*{Equation of motion of \texttt{crank}}
+Inertia:
 \begin{align*}
 A(\varphi_{1}) &= C_{0} \\
 &\quad {}+ C_{1} \, \omega_{2}^{2} \\
@@ -2374,7 +2377,10 @@ A(\varphi_{1}) &= C_{0} \\
 &\quad {}+ C_{6} \, \omega_{2} \left(1 - \omega_{2}\right) \cos\left(\varphi_{1} - \varphi_{2}\right) \\
 &\quad {}+ C_{7} \, \omega_{6} \, \omega'_{5} \cos\left(\varphi_{5} - \varphi_{6}\right) \\
 &\quad {}+ C_{7} \, \omega_{5} \, \omega'_{6} \cos\left(\varphi_{5} - \varphi_{6}\right) \\
-&\quad {}+ C_{7} \, \omega_{5} \, \omega_{6} \left(\omega_{5} - \omega_{6}\right) \sin\left(\varphi_{6} - \varphi_{5}\right) \\
+&\quad {}+ C_{7} \, \omega_{5} \, \omega_{6} \left(\omega_{5} - \omega_{6}\right) \sin\left(\varphi_{6} - \varphi_{5}\right)
+\end{align*}
+Potential energy:
+\begin{align*}
 \frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - 1\right) \left(\varphi_{2} - \varphi_{2}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
 &\quad {}+ k \left(\omega_{2} - \omega_{3}\right) \left(\varphi_{2} - \varphi_{2}^0 - \left(\varphi_{3} - \varphi_{3}^0\right)\right) \\
@@ -2383,7 +2389,10 @@ A(\varphi_{1}) &= C_{0} \\
 &\quad {}+ k \left(\omega_{5} - \omega_{6}\right) \left(\varphi_{5} - \varphi_{5}^0 - \left(\varphi_{6} - \varphi_{6}^0\right)\right) \\
 &\quad {}+ k \, \omega_{6} \left(\varphi_{6} - \varphi_{6}^0\right) \\
 \frac{\partial P_g}{\partial \varphi_{1}} &= g \left(m_{1} \, r_{1} \cos \varphi_{1} + m_{2} \left(l_{1} \cos \varphi_{1} + \frac{1}{2} \, l_{2} \, \omega_{2} \cos \varphi_{2} - \frac{1}{3} \, \mathit{cy} \, \omega_{2} \sin \varphi_{2}\right) + m_{3} \, r_{3} \, \omega_{3} \cos \varphi_{3} + m_{5} \left(l_{6} \, \omega_{6} \cos \varphi_{6} + \omega_{5} \left(r_{5} - l_{5}\right) \cos \varphi_{5}\right) + m_{6} \, r_{6} \, \omega_{6} \cos \varphi_{6}\right) \\
-\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}} \\
+\frac{\partial P}{\partial \varphi_{1}} &= \frac{\partial P_s}{\partial \varphi_{1}} + \frac{\partial P_g}{\partial \varphi_{1}}
+\end{align*}
+Other forces:
+\begin{align*}
 \tau &= \mathit{torque} \sin\left(2 \, \pi \, f \, t\right) \\
 &\quad {}- c \, \dot{\varphi}_{1} \\
 &\quad {}- c \, \dot{\varphi}_{1} \left(\omega_{2} - 1\right)^{2} \\
@@ -2391,7 +2400,10 @@ A(\varphi_{1}) &= C_{0} \\
 &\quad {}- c \, \dot{\varphi}_{1} \, \omega_{3}^{2} \\
 &\quad {}- c \, \dot{\varphi}_{1} \left(\omega_{2} - \omega_{5}\right)^{2} \\
 &\quad {}- c \, \dot{\varphi}_{1} \left(\omega_{5} - \omega_{6}\right)^{2} \\
-&\quad {}- c \, \dot{\varphi}_{1} \, \omega_{6}^{2} \\
+&\quad {}- c \, \dot{\varphi}_{1} \, \omega_{6}^{2}
+\end{align*}
+Balance:
+\begin{align*}
 & A(\varphi_{1})\,\ddot{\varphi}_{1} + \tfrac12 \frac{\partial A}{\partial \varphi_{1}}\,\dot{\varphi}_{1}^2 + \frac{\partial P}{\partial \varphi_{1}} = \tau
 \end{align*}
 
@@ -2407,19 +2419,10 @@ I_{5} &= \frac{1}{12} \, m_{5} \, l_{5}^{2} && \text{moment of inertia about the
 r_{6} &= \frac{1}{2} \, l_{6} && \text{distance of the centre of mass from the first end of output\_rocker} \\
 I_{6} &= \frac{1}{12} \, m_{6} \, l_{6}^{2} && \text{moment of inertia about the centre of mass of output\_rocker} \\
 \varphi_{1}^0 &= \frac{7}{18} \, \pi && \text{angle of \texttt{crank} as assembled} \\
-\varphi_{2}^0 &= \operatorname{unwrap}\left(\operatorname{atan2}\left(\sin \varphi_{2}^0, \cos \varphi_{2}^0\right); \frac{1}{12} \, \pi\right) && \text{angle of \texttt{coupler} as assembled} \\
-s_{1} &= \begin{cases} 1 & \text{if } \frac{l_{2} \, {X_{1}}^0 \sin\left(\frac{1}{12} \, \pi\right) - l_{2} \, {Y_{1}}^0 \cos\left(\frac{1}{12} \, \pi\right)}{l_{2}^{2}} + \frac{l_{3} \, {X_{1}}^0 \sin\left(\frac{29}{60} \, \pi\right) - l_{3} \, {Y_{1}}^0 \cos\left(\frac{29}{60} \, \pi\right)}{l_{3}^{2}} > 0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{1}}^0 &= x_{2} - l_{1} \cos \varphi_{1}^0 \\
-{Y_{1}}^0 &= y_{2} - l_{1} \sin \varphi_{1}^0 \\
-{D_{1}}^0 &= \left({X_{1}}^0\right)^{2} + \left({Y_{1}}^0\right)^{2} \\
-{\kappa_{1}}^0 &= \frac{l_{2}^{2} - l_{3}^{2} + {D_{1}}^0}{2 \, {D_{1}}^0} \\
-{\eta_{1}}^0 &= \frac{s_{1}}{2 \, {D_{1}}^0} \, \sqrt{\left(\left(l_{2} - l_{3}\right)^{2} - {D_{1}}^0\right) \left({D_{1}}^0 - \left(l_{2} + l_{3}\right)^{2}\right)} \\
-\cos \varphi_{2}^0 &= \frac{{X_{1}}^0 \, {\kappa_{1}}^0 - {Y_{1}}^0 \, {\eta_{1}}^0}{l_{2}} \\
-\sin \varphi_{2}^0 &= \frac{{Y_{1}}^0 \, {\kappa_{1}}^0 + {X_{1}}^0 \, {\eta_{1}}^0}{l_{2}} \\
-s_{2,2} &= \begin{cases} 1 & \text{if } \frac{l_{5} \, {X_{2}}^0 \sin\left(0.2 \, \pi\right) - l_{5} \, {Y_{2}}^0 \cos\left(0.2 \, \pi\right)}{l_{5}^{2}} + \frac{l_{6} \, {X_{2}}^0 \sin\left(\frac{37}{60} \, \pi\right) - l_{6} \, {Y_{2}}^0 \cos\left(\frac{37}{60} \, \pi\right)}{l_{6}^{2}} > 0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{2}}^0 &= x_{3} - l_{1} \cos \varphi_{1}^0 + \mathit{cy} \sin \varphi_{2}^0 - \mathit{cx} \cos \varphi_{2}^0 \\
-{Y_{2}}^0 &= y_{3} - l_{1} \sin \varphi_{1}^0 - \mathit{cx} \sin \varphi_{2}^0 - \mathit{cy} \cos \varphi_{2}^0 \\
-g &= 9.81 && \text{acceleration of gravity}
+\varepsilon_{1} &= \operatorname{sgn}\left(\frac{{X_{1}}^0 \sin\left(\frac{1}{12} \, \pi\right) - {Y_{1}}^0 \cos\left(\frac{1}{12} \, \pi\right)}{l_{2}} + \frac{{X_{1}}^0 \sin\left(\frac{29}{60} \, \pi\right) - {Y_{1}}^0 \cos\left(\frac{29}{60} \, \pi\right)}{l_{3}}\right) && \text{which way the loop closes: as drawn} \\
+\varepsilon_{2} &= \operatorname{sgn}\left(\frac{{X_{2}}^0 \sin\left(0.2 \, \pi\right) - {Y_{2}}^0 \cos\left(0.2 \, \pi\right)}{l_{5}} + \frac{{X_{2}}^0 \sin\left(\frac{37}{60} \, \pi\right) - {Y_{2}}^0 \cos\left(\frac{37}{60} \, \pi\right)}{l_{6}}\right) && \text{which way the loop closes: as drawn} \\
+g &= 9.81 && \text{acceleration of gravity} \\
+& \varphi_{2}^0,\, \varphi_{3}^0,\, {X_{1}}^0,\, {Y_{1}}^0,\, \varphi_{5}^0,\, \varphi_{6}^0,\, {X_{2}}^0,\, {Y_{2}}^0: \text{ by the formulas of the loops, at } \varphi_{1} = \varphi_{1}^0
 \end{align*}
 
 \end{document}

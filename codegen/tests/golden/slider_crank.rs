@@ -117,10 +117,9 @@ pub mod slider_crank {
             let l_squared = l * l;
             // moment of inertia about the centre of mass of rod
             let I_rod = l_squared * mr * 0.08333333333333333;
-            let t1 = r * 0.9659258262890683;
-            let N_0 = t1 - offset;
-            let t2 = l_squared - N_0 * N_0;
-            let t3 = t2 / l_squared;
+            let Y_0 = offset - r * 0.9659258262890683;
+            let t1 = l_squared - Y_0 * Y_0;
+            let t2 = t1 / l_squared;
             // distance of the centre of mass from the first end of crank
             let r_crank = r * 0.5;
             // constant of the inertia
@@ -129,16 +128,15 @@ pub mod slider_crank {
             let r_rod = l * 0.5;
             // constant of the inertia
             let C1 = I_rod + mr * (r_rod * r_rod);
-            let Y_0 = offset - t1;
-            let s_2_0 = Y_0 / l;
-            let P_0 = r * 0.25881904510252074;
+            let s_ψ_0 = Y_0 / l;
+            let t3 = r * 0.25881904510252074;
             // which way the loop closes: as drawn
-            let s = (l * 0.9659258262890683 + 0.052 - P_0).if_positive(1.0, -1.0);
+            let ε = (l * 0.9659258262890683 + 0.052 - t3).if_positive(1.0, -1.0);
             // position of `piston` as assembled
-            let x_piston_0 = P_0 + s * t2.sqrt();
-            let c_2_0 = (x_piston_0 - P_0) / l;
+            let x_piston_0 = ε * t1.sqrt() + t3;
+            let c_ψ_0 = (x_piston_0 - t3) / l;
             // angle of `rod` as assembled
-            let ψ_0 = s_2_0.atan2(c_2_0).unwrap_to(-0.2617993877991494);
+            let ψ_0 = s_ψ_0.atan2(c_ψ_0).unwrap_to(-0.2617993877991494);
             let cos_ψ_0 = ψ_0.cos();
             let cos_ψ_0_squared = cos_ψ_0 * cos_ψ_0;
             let t4 = r_squared * C1 * 0.06698729810778066
@@ -171,11 +169,11 @@ pub mod slider_crank {
             if !(ms >= 0.0) {
                 return Err(FAILURES[6].diagnostic(&[ms]));
             }
-            if !(t3 >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[N_0.abs() - l, 1.3089969389957472]));
+            if !(t2 >= 0.0) {
+                return Err(FAILURES[7].diagnostic(&[Y_0.abs() - l, 1.3089969389957472]));
             }
-            if !(t3 - 1e-12 > 0.0) {
-                return Err(FAILURES[8].diagnostic(&[N_0.abs() - l, 1.3089969389957472]));
+            if !(t2 - 1e-12 > 0.0) {
+                return Err(FAILURES[8].diagnostic(&[Y_0.abs() - l, 1.3089969389957472]));
             }
             if !(A_crank_0 > 0.0) {
                 return Err(FAILURES[9].diagnostic(&[]));
@@ -194,15 +192,15 @@ pub mod slider_crank {
                 torque,
                 C0,
                 l_squared,
-                s,
+                ε,
                 per_l: l.recip(),
                 r_per_l: r / l,
                 r_rod,
                 C1,
                 C2,
                 x_piston_0,
-                c_2_0,
-                s_2_0,
+                c_ψ_0,
+                s_ψ_0,
                 mc_r_crank: mc * r_crank,
                 constant1: f * 6.283185307179586,
                 two_C1: C1 * 2.0,
@@ -249,8 +247,8 @@ pub mod slider_crank {
         pub C0: T,
         /// `l * l`
         pub l_squared: T,
-        /// `s` which way the loop closes: as drawn
-        pub s: T,
+        /// `ε` which way the loop closes: as drawn
+        pub ε: T,
         /// `1.0 / l`
         pub per_l: T,
         /// `r / l`
@@ -263,10 +261,10 @@ pub mod slider_crank {
         pub C2: T,
         /// `x_piston⁰` position of \`piston\` as assembled
         pub x_piston_0: T,
-        /// `c_2⁰`
-        pub c_2_0: T,
-        /// `s_2⁰`
-        pub s_2_0: T,
+        /// `c_ψ⁰`
+        pub c_ψ_0: T,
+        /// `s_ψ⁰`
+        pub s_ψ_0: T,
         /// `mc * r_crank`
         pub mc_r_crank: T,
         /// `6.283185307179586 * f`
@@ -307,15 +305,15 @@ pub mod slider_crank {
                 torque: turn(self.torque),
                 C0: turn(self.C0),
                 l_squared: turn(self.l_squared),
-                s: turn(self.s),
+                ε: turn(self.ε),
                 per_l: turn(self.per_l),
                 r_per_l: turn(self.r_per_l),
                 r_rod: turn(self.r_rod),
                 C1: turn(self.C1),
                 C2: turn(self.C2),
                 x_piston_0: turn(self.x_piston_0),
-                c_2_0: turn(self.c_2_0),
-                s_2_0: turn(self.s_2_0),
+                c_ψ_0: turn(self.c_ψ_0),
+                s_ψ_0: turn(self.s_ψ_0),
                 mc_r_crank: turn(self.mc_r_crank),
                 constant1: turn(self.constant1),
                 two_C1: turn(self.two_C1),
@@ -345,54 +343,55 @@ pub mod slider_crank {
         let turn_rod = d[0];
         // ── configuration ──
         let (sin_φ, cos_φ) = φ.sin_cos();
-        // its part along the guide
-        let P = p.r * cos_φ;
         let r_sin_φ = p.r * sin_φ;
-        // its part across the guide
-        let N = r_sin_φ - p.offset;
-        let x_piston = P + p.s * (p.l_squared - N * N).sqrt();
-        let c_2 = p.per_l * (x_piston - P);
-        let per_c_2 = c_2.recip();
-        // rate of the angle of `rod` per unit rate of `crank`
-        let ω = -(p.r_per_l * (cos_φ * per_c_2));
-        let ω_squared = ω * ω;
         let Y = p.offset - r_sin_φ;
-        let s_2 = p.per_l * Y;
-        let sin_φ_minus_ψ = sin_φ * c_2 - cos_φ * s_2;
+        let r_cos_φ = p.r * cos_φ;
+        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
+        let c_ψ = p.per_l * (x_piston - r_cos_φ);
+        let per_c_ψ = c_ψ.recip();
+        // rate of the angle of `rod` per unit rate of `crank`
+        let ω_ψ = -(p.r_per_l * (cos_φ * per_c_ψ));
+        let ω_ψ_squared = ω_ψ * ω_ψ;
+        let s_ψ = p.per_l * Y;
+        let sin_φ_minus_ψ = sin_φ * c_ψ - cos_φ * s_ψ;
         // rate of the position of `piston` per unit rate of `crank`
-        let ν_piston = -(p.r * (per_c_2 * sin_φ_minus_ψ));
-        let cos_φ_minus_ψ = cos_φ * c_2 + sin_φ * s_2;
+        let ν_piston = -(p.r * (per_c_ψ * sin_φ_minus_ψ));
+        let cos_φ_minus_ψ = cos_φ * c_ψ + sin_φ * s_ψ;
         // inertia
-        let A = p.C0 + p.C1 * ω_squared + p.ms * (ν_piston * ν_piston)
-            + p.C2 * (ω * cos_φ_minus_ψ);
-        let ω_minus_one = ω - 1.0;
-        let t1 = (p.c_2_0 * s_2 - p.s_2_0 * c_2).atan2(p.c_2_0 * c_2 + p.s_2_0 * s_2);
+        let A = p.C0 + p.C1 * ω_ψ_squared + p.ms * (ν_piston * ν_piston)
+            + p.C2 * (ω_ψ * cos_φ_minus_ψ);
+        let ω_ψ_minus_one = ω_ψ - 1.0;
+        let t1 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
+            .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
         // angle of `rod` from the assembled one
         let ψ_minus_ψ_0 = t1.unwrap_to(turn_rod);
-        let t2 = p.k
-            * (ω_minus_one * (T::from_f64(1.3089969389957472) - φ + ψ_minus_ψ_0));
+        let t2 = ω_ψ_minus_one
+            * (T::from_f64(1.3089969389957472) - φ + ψ_minus_ψ_0);
+        let t3 = p.k * (φ - 1.3089969389957472) + p.k * t2
+            + p.k * (ψ_minus_ψ_0 * ω_ψ);
         // position of `piston` from the assembled one
-        let t3 = x_piston - p.x_piston_0;
-        // springs
-        let dP_s_dφ = p.k * (φ - 1.3089969389957472) + t2 + p.k * (ψ_minus_ψ_0 * ω)
-            + p.kr * (t3 * ν_piston);
-        // gravity
-        let dP_g_dφ = (p.mc_r_crank * cos_φ + p.mr * (P + p.r_rod * (c_2 * ω)))
-            * 9.81;
-        // potential energy
+        let t4 = x_piston - p.x_piston_0;
+        // slope of the potential energy of springs
+        let dP_s_dφ = t3 + p.kr * (t4 * ν_piston);
+        let t5 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
+        // slope of the potential energy of gravity
+        let dP_g_dφ = t5 * 9.81;
+        // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
-        let ω_prime = p.per_l * (per_c_2 * (r_sin_φ + p.l * (ω_squared * s_2)));
-        let ν_piston_prime = per_c_2
-            * (p.r * (cos_φ_minus_ψ * ω_minus_one) + ω * ν_piston * s_2);
-        let t4 = p.two_C1 * (ω * ω_prime) + p.two_ms * (ν_piston * ν_piston_prime);
-        // its derivative
-        let dA_dφ = t4 + p.C2 * (ω_prime * cos_φ_minus_ψ)
-            + p.C2 * (sin_φ_minus_ψ * ω * ω_minus_one);
+        let ω_ψ_prime = p.per_l
+            * (per_c_ψ * (r_sin_φ + p.l * (ω_ψ_squared * s_ψ)));
+        let ν_piston_prime = per_c_ψ
+            * (p.r * (cos_φ_minus_ψ * ω_ψ_minus_one) + ω_ψ * ν_piston * s_ψ);
+        let t6 = p.two_C1 * (ω_ψ * ω_ψ_prime)
+            + p.two_ms * (ν_piston * ν_piston_prime);
+        // slope of the inertia
+        let dA_dφ = t6 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
+            + p.C2 * (sin_φ_minus_ψ * ω_ψ * ω_ψ_minus_one);
         // ── state ──
-        let t5 = p.torque * (p.constant1 * t).sin() - p.c * dφ
-            - p.c * (ω_minus_one * ω_minus_one) * dφ;
+        let t7 = p.torque * (p.constant1 * t).sin() - p.c * dφ
+            - p.c * (ω_ψ_minus_one * ω_ψ_minus_one) * dφ;
         // generalized torque of all other forces
-        let τ = t5 - p.c * ω_squared * dφ;
+        let τ = t7 - p.c * ω_ψ_squared * dφ;
         let ddφ = -(A.recip() * (dP_dφ - τ + dA_dφ * 0.5 * (dφ * dφ)));
         dx[0] = dφ;
         dx[1] = ddφ;
@@ -412,97 +411,96 @@ pub mod slider_crank {
         let turn_rod = d[0];
         // ── configuration ──
         let (sin_φ, cos_φ) = φ.sin_cos();
-        // its part along the guide
-        let P = p.r * cos_φ;
         let r_sin_φ = p.r * sin_φ;
-        // its part across the guide
-        let N = r_sin_φ - p.offset;
-        let x_piston = P + p.s * (p.l_squared - N * N).sqrt();
-        let c_2 = p.per_l * (x_piston - P);
-        let per_c_2 = c_2.recip();
-        // rate of the angle of `rod` per unit rate of `crank`
-        let ω = -(p.r_per_l * (cos_φ * per_c_2));
-        let ω_squared = ω * ω;
         let Y = p.offset - r_sin_φ;
-        let s_2 = p.per_l * Y;
-        let sin_φ_minus_ψ = sin_φ * c_2 - cos_φ * s_2;
+        let r_cos_φ = p.r * cos_φ;
+        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
+        let c_ψ = p.per_l * (x_piston - r_cos_φ);
+        let per_c_ψ = c_ψ.recip();
+        // rate of the angle of `rod` per unit rate of `crank`
+        let ω_ψ = -(p.r_per_l * (cos_φ * per_c_ψ));
+        let ω_ψ_squared = ω_ψ * ω_ψ;
+        let s_ψ = p.per_l * Y;
+        let sin_φ_minus_ψ = sin_φ * c_ψ - cos_φ * s_ψ;
         // rate of the position of `piston` per unit rate of `crank`
-        let ν_piston = -(p.r * (per_c_2 * sin_φ_minus_ψ));
+        let ν_piston = -(p.r * (per_c_ψ * sin_φ_minus_ψ));
         let ν_piston_squared = ν_piston * ν_piston;
-        let cos_φ_minus_ψ = cos_φ * c_2 + sin_φ * s_2;
-        let ω_cos_φ_minus_ψ = ω * cos_φ_minus_ψ;
+        let cos_φ_minus_ψ = cos_φ * c_ψ + sin_φ * s_ψ;
+        let ω_ψ_cos_φ_minus_ψ = ω_ψ * cos_φ_minus_ψ;
         // inertia
-        let A = p.C0 + p.C1 * ω_squared + p.ms * ν_piston_squared
-            + p.C2 * ω_cos_φ_minus_ψ;
-        let ω_squared_s_2 = ω_squared * s_2;
-        let t1 = r_sin_φ + p.l * ω_squared_s_2;
-        let ω_prime = p.per_l * (per_c_2 * t1);
-        let ω_ω_prime = ω * ω_prime;
-        let ω_minus_one = ω - 1.0;
-        let t2 = p.r * (cos_φ_minus_ψ * ω_minus_one) + ω * ν_piston * s_2;
-        let ν_piston_prime = per_c_2 * t2;
-        let ω_prime_cos_φ_minus_ψ = ω_prime * cos_φ_minus_ψ;
-        let t3 = p.two_C1 * ω_ω_prime + p.two_ms * (ν_piston * ν_piston_prime)
-            + p.C2 * ω_prime_cos_φ_minus_ψ;
-        let sin_φ_minus_ψ_ω = sin_φ_minus_ψ * ω;
-        // its derivative
-        let dA_dφ = t3 + p.C2 * (sin_φ_minus_ψ_ω * ω_minus_one);
-        let t4 = (p.c_2_0 * s_2 - p.s_2_0 * c_2).atan2(p.c_2_0 * c_2 + p.s_2_0 * s_2);
+        let A = p.C0 + p.C1 * ω_ψ_squared + p.ms * ν_piston_squared
+            + p.C2 * ω_ψ_cos_φ_minus_ψ;
+        let ω_ψ_squared_s_ψ = ω_ψ_squared * s_ψ;
+        let t1 = r_sin_φ + p.l * ω_ψ_squared_s_ψ;
+        let ω_ψ_prime = p.per_l * (per_c_ψ * t1);
+        let ω_ψ_ω_ψ_prime = ω_ψ * ω_ψ_prime;
+        let ω_ψ_minus_one = ω_ψ - 1.0;
+        let t2 = p.r * (cos_φ_minus_ψ * ω_ψ_minus_one) + ω_ψ * ν_piston * s_ψ;
+        let ν_piston_prime = per_c_ψ * t2;
+        let t3 = p.two_C1 * ω_ψ_ω_ψ_prime + p.two_ms * (ν_piston * ν_piston_prime);
+        let ω_ψ_prime_cos_φ_minus_ψ = ω_ψ_prime * cos_φ_minus_ψ;
+        let sin_φ_minus_ψ_ω_ψ = sin_φ_minus_ψ * ω_ψ;
+        // slope of the inertia
+        let dA_dφ = t3 + p.C2 * ω_ψ_prime_cos_φ_minus_ψ
+            + p.C2 * (sin_φ_minus_ψ_ω_ψ * ω_ψ_minus_one);
+        let t4 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
+            .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
         // angle of `rod` from the assembled one
         let ψ_minus_ψ_0 = t4.unwrap_to(turn_rod);
         let t5 = T::from_f64(1.3089969389957472) - φ + ψ_minus_ψ_0;
-        let t6 = p.k * (φ - 1.3089969389957472) + p.k * (ω_minus_one * t5)
-            + p.k * (ψ_minus_ψ_0 * ω);
+        let t6 = p.k * (φ - 1.3089969389957472) + p.k * (ω_ψ_minus_one * t5)
+            + p.k * (ψ_minus_ψ_0 * ω_ψ);
         // position of `piston` from the assembled one
         let t7 = x_piston - p.x_piston_0;
-        // springs
+        // slope of the potential energy of springs
         let dP_s_dφ = t6 + p.kr * (t7 * ν_piston);
-        // gravity
-        let dP_g_dφ = (p.mc_r_crank * cos_φ + p.mr * (P + p.r_rod * (c_2 * ω)))
-            * 9.81;
-        // potential energy
+        let t8 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
+        // slope of the potential energy of gravity
+        let dP_g_dφ = t8 * 9.81;
+        // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
-        let ω_minus_one_squared = ω_minus_one * ω_minus_one;
-        let c_ω_minus_one_squared = p.c * ω_minus_one_squared;
-        let c_ω_squared = p.c * ω_squared;
+        let ω_ψ_minus_one_squared = ω_ψ_minus_one * ω_ψ_minus_one;
+        let c_ω_ψ_minus_one_squared = p.c * ω_ψ_minus_one_squared;
+        let c_ω_ψ_squared = p.c * ω_ψ_squared;
         let per_A = A.recip();
-        let t8 = p.k + p.k * (ω_prime * t5) + p.k * ω_minus_one_squared
-            + p.k * ω_squared;
-        let ddP_s_dφ_dφ = t8 + p.k * (ψ_minus_ψ_0 * ω_prime)
+        let t9 = p.k + p.k * (ω_ψ_prime * t5) + p.k * ω_ψ_minus_one_squared
+            + p.k * ω_ψ_squared;
+        let ddP_s_dφ_dφ = t9 + p.k * (ψ_minus_ψ_0 * ω_ψ_prime)
             + p.kr * ν_piston_squared + p.kr * (t7 * ν_piston_prime);
-        let t9 = p.mr
-            * (r_sin_φ - p.r_rod * (c_2 * ω_prime) + p.r_rod * ω_squared_s_2);
-        let ddP_dφ_dφ = ddP_s_dφ_dφ - (p.mc_r_crank * sin_φ + t9) * 9.81;
-        let per_c_2_squared_ω_s_2 = (c_2 * c_2).recip() * ω * s_2;
-        let ω_s_2 = ω * s_2;
-        let t10 = per_c_2
-            * (P + p.l * (c_2 * (ω * ω_squared)) + p.two_l * (ω_s_2 * ω_prime));
-        let dω_prime_dφ = p.per_l * (per_c_2_squared_ω_s_2 * t1) + p.per_l * t10;
-        let t11 = p.r * (sin_φ_minus_ψ * ω_minus_one_squared)
-            + p.r * ω_prime_cos_φ_minus_ψ;
-        let t12 = t11 + ν_piston * s_2 * ω_prime + ω_s_2 * ν_piston_prime
-            + c_2 * ω_squared * ν_piston;
-        let dν_piston_prime_dφ = per_c_2_squared_ω_s_2 * t2 + per_c_2 * t12;
-        let t13 = p.ms * (ν_piston_prime * ν_piston_prime)
+        let t10 = r_sin_φ - p.r_rod * (c_ψ * ω_ψ_prime)
+            + p.r_rod * ω_ψ_squared_s_ψ;
+        let ddP_dφ_dφ = ddP_s_dφ_dφ - (p.mc_r_crank * sin_φ + p.mr * t10) * 9.81;
+        let per_c_ψ_squared_ω_ψ_s_ψ = (c_ψ * c_ψ).recip() * ω_ψ * s_ψ;
+        let ω_ψ_s_ψ = ω_ψ * s_ψ;
+        let t11 = r_cos_φ + p.l * (c_ψ * (ω_ψ * ω_ψ_squared))
+            + p.two_l * (ω_ψ_s_ψ * ω_ψ_prime);
+        let dω_ψ_prime_dφ = p.per_l * (per_c_ψ_squared_ω_ψ_s_ψ * t1)
+            + p.per_l * (per_c_ψ * t11);
+        let t12 = (p.C1 * (ω_ψ_prime * ω_ψ_prime)
+            + p.C1 * (ω_ψ * dω_ψ_prime_dφ)) * 2.0;
+        let t13 = p.r * (sin_φ_minus_ψ * ω_ψ_minus_one_squared)
+            + p.r * ω_ψ_prime_cos_φ_minus_ψ;
+        let t14 = t13 + ν_piston * s_ψ * ω_ψ_prime + ω_ψ_s_ψ * ν_piston_prime
+            + c_ψ * ω_ψ_squared * ν_piston;
+        let dν_piston_prime_dφ = per_c_ψ_squared_ω_ψ_s_ψ * t2 + per_c_ψ * t14;
+        let t15 = p.ms * (ν_piston_prime * ν_piston_prime)
             + p.ms * (ν_piston * dν_piston_prime_dφ);
-        let t14 = (p.C1 * (ω_prime * ω_prime) + p.C1 * (ω * dω_prime_dφ)) * 2.0
-            + t13 * 2.0;
-        let t15 = t14 + p.C2 * (cos_φ_minus_ψ * dω_prime_dφ)
-            + p.two_C2 * (sin_φ_minus_ψ * ω_prime * ω_minus_one);
-        let ddA_dφ_dφ = t15 + p.C2 * (sin_φ_minus_ψ_ω * ω_prime)
-            - p.C2 * (ω_cos_φ_minus_ψ * ω_minus_one_squared);
-        let dτ_ddφ = -(p.c + c_ω_minus_one_squared + c_ω_squared);
+        let t16 = t12 + t15 * 2.0 + p.C2 * (cos_φ_minus_ψ * dω_ψ_prime_dφ)
+            + p.two_C2 * (sin_φ_minus_ψ * ω_ψ_prime * ω_ψ_minus_one);
+        let ddA_dφ_dφ = t16 + p.C2 * (sin_φ_minus_ψ_ω_ψ * ω_ψ_prime)
+            - p.C2 * (ω_ψ_cos_φ_minus_ψ * ω_ψ_minus_one_squared);
+        let dτ_ddφ = -(p.c + c_ω_ψ_minus_one_squared + c_ω_ψ_squared);
         // ── state ──
-        let t16 = p.torque * (p.constant1 * t).sin() - p.c * dφ
-            - c_ω_minus_one_squared * dφ;
+        let t17 = p.torque * (p.constant1 * t).sin() - p.c * dφ
+            - c_ω_ψ_minus_one_squared * dφ;
         // generalized torque of all other forces
-        let τ = t16 - c_ω_squared * dφ;
+        let τ = t17 - c_ω_ψ_squared * dφ;
         let dφ_squared = dφ * dφ;
-        let t17 = p.two_c * (ω_prime * ω_minus_one) * dφ
-            + p.two_c * ω_ω_prime * dφ;
+        let t18 = p.two_c * (ω_ψ_prime * ω_ψ_minus_one) * dφ
+            + p.two_c * ω_ψ_ω_ψ_prime * dφ;
         let dddφ_dφ = (A * A).recip() * dA_dφ
             * (dP_dφ - τ + dA_dφ * 0.5 * dφ_squared)
-            - per_A * (ddP_dφ_dφ + t17 + ddA_dφ_dφ * 0.5 * dφ_squared);
+            - per_A * (ddP_dφ_dφ + t18 + ddA_dφ_dφ * 0.5 * dφ_squared);
         let dddφ_ddφ = per_A * (dτ_ddφ - dA_dφ * dφ);
         result[1] = T::from_f64(1.0);
         result[2] = dddφ_dφ;
@@ -522,18 +520,14 @@ pub mod slider_crank {
         let dφ = x[1];
         // ── configuration ──
         let (sin_φ, cos_φ) = φ.sin_cos();
-        // its part along the guide
-        let P = p.r * cos_φ;
-        let r_sin_φ = p.r * sin_φ;
-        // its part across the guide
-        let N = r_sin_φ - p.offset;
-        let x_piston = P + p.s * (p.l_squared - N * N).sqrt();
-        let c_2 = p.per_l * (x_piston - P);
-        let Y = p.offset - r_sin_φ;
-        let s_2 = p.per_l * Y;
-        let sin_φ_minus_ψ = sin_φ * c_2 - cos_φ * s_2;
+        let Y = p.offset - p.r * sin_φ;
+        let r_cos_φ = p.r * cos_φ;
+        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
+        let c_ψ = p.per_l * (x_piston - r_cos_φ);
+        let s_ψ = p.per_l * Y;
+        let sin_φ_minus_ψ = sin_φ * c_ψ - cos_φ * s_ψ;
         // rate of the position of `piston` per unit rate of `crank`
-        let ν_piston = -(p.r * (c_2.recip() * sin_φ_minus_ψ));
+        let ν_piston = -(p.r * (c_ψ.recip() * sin_φ_minus_ψ));
         // ── state ──
         let piston_v = ν_piston * dφ;
         result[0] = x_piston;
@@ -554,29 +548,28 @@ pub mod slider_crank {
         let turn_rod = d[0];
         // ── configuration ──
         let (sin_φ, cos_φ) = φ.sin_cos();
-        // its part along the guide
-        let P = p.r * cos_φ;
         let r_sin_φ = p.r * sin_φ;
-        // its part across the guide
-        let N = r_sin_φ - p.offset;
-        let x_piston = P + p.s * (p.l_squared - N * N).sqrt();
-        let c_2 = p.per_l * (x_piston - P);
-        let per_c_2 = c_2.recip();
-        // rate of the angle of `rod` per unit rate of `crank`
-        let ω = -(p.r_per_l * (cos_φ * per_c_2));
-        let ω_squared = ω * ω;
         let Y = p.offset - r_sin_φ;
-        let s_2 = p.per_l * Y;
-        let sin_φ_minus_ψ = sin_φ * c_2 - cos_φ * s_2;
+        let r_cos_φ = p.r * cos_φ;
+        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
+        let c_ψ = p.per_l * (x_piston - r_cos_φ);
+        let per_c_ψ = c_ψ.recip();
+        // rate of the angle of `rod` per unit rate of `crank`
+        let ω_ψ = -(p.r_per_l * (cos_φ * per_c_ψ));
+        let ω_ψ_squared = ω_ψ * ω_ψ;
+        let s_ψ = p.per_l * Y;
+        let sin_φ_minus_ψ = sin_φ * c_ψ - cos_φ * s_ψ;
         // rate of the position of `piston` per unit rate of `crank`
-        let ν_piston = -(p.r * (per_c_2 * sin_φ_minus_ψ));
-        let cos_φ_minus_ψ = cos_φ * c_2 + sin_φ * s_2;
+        let ν_piston = -(p.r * (per_c_ψ * sin_φ_minus_ψ));
+        let cos_φ_minus_ψ = cos_φ * c_ψ + sin_φ * s_ψ;
         // inertia
-        let A = p.C0 + p.C1 * ω_squared + p.ms * (ν_piston * ν_piston)
-            + p.C2 * (ω * cos_φ_minus_ψ);
-        let t1 = p.offset_ms + p.mc_r_crank * sin_φ + p.mr * (r_sin_φ + p.r_rod * s_2);
+        let A = p.C0 + p.C1 * ω_ψ_squared + p.ms * (ν_piston * ν_piston)
+            + p.C2 * (ω_ψ * cos_φ_minus_ψ);
+        let t1 = p.offset_ms + p.mc_r_crank * sin_φ
+            + p.mr * (r_sin_φ + p.r_rod * s_ψ);
         let t2 = φ - 1.3089969389957472;
-        let t3 = (p.c_2_0 * s_2 - p.s_2_0 * c_2).atan2(p.c_2_0 * c_2 + p.s_2_0 * s_2);
+        let t3 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
+            .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
         // angle of `rod` from the assembled one
         let ψ_minus_ψ_0 = t3.unwrap_to(turn_rod);
         let t4 = T::from_f64(1.3089969389957472) - φ + ψ_minus_ψ_0;
@@ -584,13 +577,14 @@ pub mod slider_crank {
             + p.half_k * (ψ_minus_ψ_0 * ψ_minus_ψ_0);
         // position of `piston` from the assembled one
         let t6 = x_piston - p.x_piston_0;
-        let ω_minus_one = ω - 1.0;
+        let ω_ψ_minus_one = ω_ψ - 1.0;
         // ── state ──
         let dφ_squared = dφ * dφ;
-        let t7 = p.c * dφ_squared + p.c * (ω_minus_one * ω_minus_one) * dφ_squared;
+        let t7 = p.c * dφ_squared
+            + p.c * (ω_ψ_minus_one * ω_ψ_minus_one) * dφ_squared;
         result[0] = A * 0.5 * dφ_squared;
         result[1] = t5 + p.half_kr * (t6 * t6);
-        result[2] = t7 + p.c * ω_squared * dφ_squared;
+        result[2] = t7 + p.c * ω_ψ_squared * dφ_squared;
         result[3] = p.torque * ((p.constant1 * t).sin() * dφ);
     }
     /// Event functions: each event happens where its function rises through zero.
@@ -615,9 +609,8 @@ pub mod slider_crank {
     ) {
         let φ = x[0];
         // ── configuration ──
-        // its part across the guide
-        let N = p.r * φ.sin() - p.offset;
-        result[0] = p.per_l_squared * (p.l_squared - N * N);
+        let Y = p.offset - p.r * φ.sin();
+        result[0] = p.per_l_squared * (p.l_squared - Y * Y);
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -633,16 +626,13 @@ pub mod slider_crank {
         let turn_rod = d[0];
         // ── configuration ──
         let (sin_φ, cos_φ) = φ.sin_cos();
-        let r_sin_φ = p.r * sin_φ;
-        let Y = p.offset - r_sin_φ;
-        let s_2 = p.per_l * Y;
-        // its part along the guide
-        let P = p.r * cos_φ;
-        // its part across the guide
-        let N = r_sin_φ - p.offset;
-        let x_piston = P + p.s * (p.l_squared - N * N).sqrt();
-        let c_2 = p.per_l * (x_piston - P);
-        let t1 = (p.c_2_0 * s_2 - p.s_2_0 * c_2).atan2(p.c_2_0 * c_2 + p.s_2_0 * s_2);
+        let Y = p.offset - p.r * sin_φ;
+        let s_ψ = p.per_l * Y;
+        let r_cos_φ = p.r * cos_φ;
+        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
+        let c_ψ = p.per_l * (x_piston - r_cos_φ);
+        let t1 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
+            .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
         // angle of `rod` from the assembled one
         let ψ_minus_ψ_0 = t1.unwrap_to(turn_rod);
         result[0] = ψ_minus_ψ_0;
@@ -1054,18 +1044,17 @@ Loop crank–rod–piston
 
   X        = -r cos(φ)
   Y        = offset - r sin(φ)
-  P        = -X
-  N        = -Y
-  x_piston = P + s sqrt(l² - N²)
-  c_2      = (x_piston + X) / l
-  s_2      = Y/l
+  x_piston = ε sqrt(l² - Y²) - X
+  c_ψ      = (x_piston + X) / l
+  s_ψ      = Y/l
 
-  ψ = atan2(s_2, c_2), continuous over many turns; ⁰: as assembled
+  ψ = atan2(s_ψ, c_ψ), continuous over many turns; ⁰: as assembled
+  ω_ψ = dψ/dφ, ν_piston = dx_piston/dφ, ' = d/dφ
 
-  ω         = -r cos(φ) / (l cos(ψ))
+  ω_ψ       = -r cos(φ) / (l cos(ψ))
   ν_piston  = r sin(ψ - φ) / cos(ψ)
-  ω'        = (r sin(φ) + l ω² sin(ψ)) / (l cos(ψ))
-  ν_piston' = (r (ω - 1) cos(φ - ψ) + ω ν_piston sin(ψ)) / cos(ψ)
+  ω_ψ'      = (r sin(φ) + l ω_ψ² sin(ψ)) / (l cos(ψ))
+  ν_piston' = (r (ω_ψ - 1) cos(φ - ψ) + ω_ψ ν_piston sin(ψ)) / cos(ψ)
 
 Constants of the inertia
 ────────────────────────
@@ -1077,15 +1066,28 @@ Constants of the inertia
 Equation of motion of `crank`
 ─────────────────────────────
 
-  A(φ)    = C0 + C1 ω² + ms ν_piston² + C2 ω cos(φ - ψ)
-  ∂A/∂φ   = 2 C1 ω ω' + 2 ms ν_piston ν_piston' + C2 ω' cos(φ - ψ) + C2 ω (ω - 1) sin(φ - ψ)
+Inertia:
+
+  A(φ)  = C0 + C1 ω_ψ² + ms ν_piston² + C2 ω_ψ cos(φ - ψ)
+  ∂A/∂φ = 2 C1 ω_ψ ω_ψ'
+        + 2 ms ν_piston ν_piston'
+        + C2 ω_ψ' cos(φ - ψ)
+        + C2 ω_ψ (ω_ψ - 1) sin(φ - ψ)
+
+Potential energy:
+
   ∂P_s/∂φ = k (φ - φ⁰)
-          + k (ω - 1) (ψ - ψ⁰ - φ + φ⁰)
-          + k ω (ψ - ψ⁰)
+          + k (ω_ψ - 1) (ψ - ψ⁰ - φ + φ⁰)
+          + k ω_ψ (ψ - ψ⁰)
           + kr ν_piston (x_piston - x_piston⁰)
-  ∂P_g/∂φ = g (mc r_crank cos(φ) + mr (r cos(φ) + r_rod ω cos(ψ)))
+  ∂P_g/∂φ = g (mc r_crank cos(φ) + mr (r cos(φ) + r_rod ω_ψ cos(ψ)))
   ∂P/∂φ   = ∂P_s/∂φ + ∂P_g/∂φ
-  τ       = torque sin(2 π f t) - c φ̇ - c φ̇ (ω - 1)² - c φ̇ ω²
+
+Other forces:
+
+  τ = torque sin(2 π f t) - c φ̇ - c φ̇ (ω_ψ - 1)² - c φ̇ ω_ψ²
+
+Balance:
 
   A(φ) φ̈ + ½ ∂A/∂φ φ̇² + ∂P/∂φ = τ
 
@@ -1097,11 +1099,11 @@ Constants
   r_rod   = ½ l          distance of the centre of mass from the first end of rod
   I_rod   = 1/12 mr l²   moment of inertia about the centre of mass of rod
   φ⁰      = 5/12 π       angle of `crank` as assembled
-  s       = if l cos(1/12 π) + 0.052 > P⁰ then 1 else -1
+  ε       = sign(l cos(1/12 π) + X⁰ + 0.052)
             which way the loop closes: as drawn
-  X⁰      = -r cos(φ⁰)
-  P⁰      = -X⁰
   g       = 9.81         acceleration of gravity
+
+  ψ⁰, x_piston⁰, X⁰: by the formulas of the loops, at φ = φ⁰
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -1120,16 +1122,15 @@ A flexure slider–crank: a crank moves a slide through a connecting rod, agains
 & r\, e^{i \varphi} + l\, e^{i \psi} - x_{\mathrm{piston}} - i\,\mathit{offset} = 0 \\
 X &= -r \cos \varphi \\
 Y &= \mathit{offset} - r \sin \varphi \\
-P &= -X \\
-N &= -Y \\
-x_{\mathrm{piston}} &= P + s \, \sqrt{l^{2} - N^{2}} \\
+x_{\mathrm{piston}} &= \varepsilon \, \sqrt{l^{2} - Y^{2}} - X \\
 \cos \psi &= \frac{x_{\mathrm{piston}} + X}{l} \\
 \sin \psi &= \frac{Y}{l} \\
 & \psi = \operatorname{atan2}(\sin \psi, \cos \psi) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
-\omega &= -\frac{r \cos \varphi}{l \cos \psi} \\
+& \omega_{\psi} = \frac{\mathrm d\psi}{\mathrm d\varphi},\quad \nu_{\mathrm{piston}} = \frac{\mathrm dx_{\mathrm{piston}}}{\mathrm d\varphi},\quad {}' = \frac{\mathrm d}{\mathrm d\varphi} \\
+\omega_{\psi} &= -\frac{r \cos \varphi}{l \cos \psi} \\
 \nu_{\mathrm{piston}} &= \frac{r \sin\left(\psi - \varphi\right)}{\cos \psi} \\
-\omega' &= \frac{r \sin \varphi + l \, \omega^{2} \sin \psi}{l \cos \psi} \\
-\nu'_{\mathrm{piston}} &= \frac{r \left(\omega - 1\right) \cos\left(\varphi - \psi\right) + \omega \, \nu_{\mathrm{piston}} \sin \psi}{\cos \psi}
+\omega'_{\psi} &= \frac{r \sin \varphi + l \, \omega_{\psi}^{2} \sin \psi}{l \cos \psi} \\
+\nu'_{\mathrm{piston}} &= \frac{r \left(\omega_{\psi} - 1\right) \cos\left(\varphi - \psi\right) + \omega_{\psi} \, \nu_{\mathrm{piston}} \sin \psi}{\cos \psi}
 \end{align*}
 
 \subsection*{Constants of the inertia}
@@ -1140,19 +1141,29 @@ C_{2} &= 2 \, r \, \mathit{mr} \, r_{\mathrm{rod}}
 \end{align*}
 
 \subsection*{Equation of motion of \texttt{crank}}
+Inertia:
 \begin{align*}
-A(\varphi) &= C_{0} + C_{1} \, \omega^{2} + \mathit{ms} \, \nu_{\mathrm{piston}}^{2} + C_{2} \, \omega \cos\left(\varphi - \psi\right) \\
-\frac{\partial A}{\partial \varphi} &= 2 \, C_{1} \, \omega \, \omega' \\
+A(\varphi) &= C_{0} + C_{1} \, \omega_{\psi}^{2} + \mathit{ms} \, \nu_{\mathrm{piston}}^{2} + C_{2} \, \omega_{\psi} \cos\left(\varphi - \psi\right) \\
+\frac{\partial A}{\partial \varphi} &= 2 \, C_{1} \, \omega_{\psi} \, \omega'_{\psi} \\
 &\quad {}+ 2 \, \mathit{ms} \, \nu_{\mathrm{piston}} \, \nu'_{\mathrm{piston}} \\
-&\quad {}+ C_{2} \, \omega' \cos\left(\varphi - \psi\right) \\
-&\quad {}+ C_{2} \, \omega \left(\omega - 1\right) \sin\left(\varphi - \psi\right) \\
+&\quad {}+ C_{2} \, \omega'_{\psi} \cos\left(\varphi - \psi\right) \\
+&\quad {}+ C_{2} \, \omega_{\psi} \left(\omega_{\psi} - 1\right) \sin\left(\varphi - \psi\right)
+\end{align*}
+Potential energy:
+\begin{align*}
 \frac{\partial P_s}{\partial \varphi} &= k \left(\varphi - \varphi^0\right) \\
-&\quad {}+ k \left(\omega - 1\right) \left(\psi - \psi^0 - \varphi + \varphi^0\right) \\
-&\quad {}+ k \, \omega \left(\psi - \psi^0\right) \\
+&\quad {}+ k \left(\omega_{\psi} - 1\right) \left(\psi - \psi^0 - \varphi + \varphi^0\right) \\
+&\quad {}+ k \, \omega_{\psi} \left(\psi - \psi^0\right) \\
 &\quad {}+ \mathit{kr} \, \nu_{\mathrm{piston}} \left(x_{\mathrm{piston}} - x_{\mathrm{piston}}^0\right) \\
-\frac{\partial P_g}{\partial \varphi} &= g \left(\mathit{mc} \, r_{\mathrm{crank}} \cos \varphi + \mathit{mr} \left(r \cos \varphi + r_{\mathrm{rod}} \, \omega \cos \psi\right)\right) \\
-\frac{\partial P}{\partial \varphi} &= \frac{\partial P_s}{\partial \varphi} + \frac{\partial P_g}{\partial \varphi} \\
-\tau &= \mathit{torque} \sin\left(2 \, \pi \, f \, t\right) - c \, \dot{\varphi} - c \, \dot{\varphi} \left(\omega - 1\right)^{2} - c \, \dot{\varphi} \, \omega^{2} \\
+\frac{\partial P_g}{\partial \varphi} &= g \left(\mathit{mc} \, r_{\mathrm{crank}} \cos \varphi + \mathit{mr} \left(r \cos \varphi + r_{\mathrm{rod}} \, \omega_{\psi} \cos \psi\right)\right) \\
+\frac{\partial P}{\partial \varphi} &= \frac{\partial P_s}{\partial \varphi} + \frac{\partial P_g}{\partial \varphi}
+\end{align*}
+Other forces:
+\begin{align*}
+\tau &= \mathit{torque} \sin\left(2 \, \pi \, f \, t\right) - c \, \dot{\varphi} - c \, \dot{\varphi} \left(\omega_{\psi} - 1\right)^{2} - c \, \dot{\varphi} \, \omega_{\psi}^{2}
+\end{align*}
+Balance:
+\begin{align*}
 & A(\varphi)\,\ddot{\varphi} + \tfrac12 \frac{\partial A}{\partial \varphi}\,\dot{\varphi}^2 + \frac{\partial P}{\partial \varphi} = \tau
 \end{align*}
 
@@ -1163,10 +1174,9 @@ I_{\mathrm{crank}} &= \frac{1}{12} \, \mathit{mc} \, r^{2} && \text{moment of in
 r_{\mathrm{rod}} &= \frac{1}{2} \, l && \text{distance of the centre of mass from the first end of rod} \\
 I_{\mathrm{rod}} &= \frac{1}{12} \, \mathit{mr} \, l^{2} && \text{moment of inertia about the centre of mass of rod} \\
 \varphi^0 &= \frac{5}{12} \, \pi && \text{angle of \texttt{crank} as assembled} \\
-s &= \begin{cases} 1 & \text{if } l \cos\left(\frac{1}{12} \, \pi\right) + 0.052 > {P}^0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X}^0 &= -r \cos \varphi^0 \\
-{P}^0 &= -{X}^0 \\
-g &= 9.81 && \text{acceleration of gravity}
+\varepsilon &= \operatorname{sgn}\left(l \cos\left(\frac{1}{12} \, \pi\right) + {X}^0 + 0.052\right) && \text{which way the loop closes: as drawn} \\
+g &= 9.81 && \text{acceleration of gravity} \\
+& \psi^0,\, x_{\mathrm{piston}}^0,\, {X}^0: \text{ by the formulas of the loops, at } \varphi = \varphi^0
 \end{align*}
 
 \end{document}

@@ -238,20 +238,18 @@ pub mod xy_stage {
                 l,
                 C0,
                 C1,
-                C2,
                 half_C2: C2 * 0.5,
                 C0_C1: C0 * C1,
                 k,
+                ddP_s_dφ1_dφ1,
                 constant1: fx * 6.283185307179586,
                 constant2: stroke * fx * 6.283185307179586,
                 _4_c: c * 4.0,
                 constant3: fy * 6.283185307179586,
                 constant4: stroke * fy * 6.283185307179586,
-                ddP_s_dφ1_dφ1,
                 l_cs: l * cs,
                 half_C0: C0 * 0.5,
                 half_C1: C1 * 0.5,
-                half_k: k * 0.5,
                 half_ks: ks * 0.5,
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -278,14 +276,14 @@ pub mod xy_stage {
         pub C0: T,
         /// `C1` constant of the inertia
         pub C1: T,
-        /// `C2` constant of the inertia
-        pub C2: T,
         /// `0.5 * C2`
         pub half_C2: T,
         /// `C0 * C1`
         pub C0_C1: T,
         /// `k` stiffness at either end of a leaf
         pub k: T,
+        /// `∂∂P_s/∂φ1/∂φ1`
+        pub ddP_s_dφ1_dφ1: T,
         /// `6.283185307179586 * fx`
         pub constant1: T,
         /// `6.283185307179586 * stroke * fx`
@@ -296,16 +294,12 @@ pub mod xy_stage {
         pub constant3: T,
         /// `6.283185307179586 * stroke * fy`
         pub constant4: T,
-        /// `∂∂P_s/∂φ1/∂φ1`
-        pub ddP_s_dφ1_dφ1: T,
         /// `l * cs`
         pub l_cs: T,
         /// `0.5 * C0`
         pub half_C0: T,
         /// `0.5 * C1`
         pub half_C1: T,
-        /// `0.5 * k`
-        pub half_k: T,
         /// `0.5 * ks`
         pub half_ks: T,
     }
@@ -321,20 +315,18 @@ pub mod xy_stage {
                 l: turn(self.l),
                 C0: turn(self.C0),
                 C1: turn(self.C1),
-                C2: turn(self.C2),
                 half_C2: turn(self.half_C2),
                 C0_C1: turn(self.C0_C1),
                 k: turn(self.k),
+                ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 constant1: turn(self.constant1),
                 constant2: turn(self.constant2),
                 _4_c: turn(self._4_c),
                 constant3: turn(self.constant3),
                 constant4: turn(self.constant4),
-                ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 l_cs: turn(self.l_cs),
                 half_C0: turn(self.half_C0),
                 half_C1: turn(self.half_C1),
-                half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
             }
         }
@@ -358,57 +350,60 @@ pub mod xy_stage {
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
-        let M_left_lower = p.half_C2 * cos_φ1_minus_φ2;
+        let M12 = p.half_C2 * cos_φ1_minus_φ2;
         // determinant of the inertia
-        let det_left_lower = p.C0_C1 - M_left_lower * M_left_lower;
-        let per_det_left_lower = det_left_lower.recip();
-        let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.k * φ_right_minus_φ_right_0;
-        let t2 = T::from_f64(1.5707963267948966) - φ1;
-        // springs
-        let dP_s_dφ1 = t1 + t1 - p.k * t2 + t1;
+        let det_M = p.C0_C1 - M12 * M12;
+        let per_det_M = det_M.recip();
+        let t1 = φ1 - 1.5707963267948966;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * t1;
         let l_sin_φ1 = p.l * sin_φ1;
-        let t3 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t4, t5) = t3.sin_cos();
+        let t2 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t3, t4) = t2.sin_cos();
         // displacement of `F1`
-        let x_F1 = p.l * (t4 * (t2 * 0.5).sin() * 2.0);
+        let x_F1 = p.l
+            * (t3 * ((T::from_f64(1.5707963267948966) - φ1) * 0.5).sin() * 2.0);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        let dM_left_lower_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        let k_φ2 = p.k * φ2;
-        // springs
-        let dP_s_dφ2 = k_φ2 + k_φ2 + k_φ2 + k_φ2;
+        // slope of the inertia
+        let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
+        // slope of the potential energy of springs
+        let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         // displacement of `T`
-        let y_T = p.l * (t5 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
+        let y_T = p.l * (t4 * (t1 * 0.5).sin() * 2.0);
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
         let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
+        // slope of the inertia
+        let dM12_dφ1 = -dM12_dφ2;
         // ── state ──
-        let t6 = p.constant1 * t;
-        let (t7, t8) = t6.sin_cos();
+        let t5 = p.constant1 * t;
+        let (t6, t7) = t5.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t7;
+        let ux = p.stroke * t6;
         // rate of the drive `ux`
-        let dux = p.constant2 * t8;
+        let dux = p.constant2 * t7;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         // centrifugal and Coriolis terms
-        let h_left = dM_left_lower_dφ2 * (dφ2 * dφ2);
-        let t9 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h_left;
-        let t10 = p.constant3 * t;
-        let (t11, t12) = t10.sin_cos();
+        let h1 = dM12_dφ2 * (dφ2 * dφ2);
+        let t8 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
+        let t9 = p.constant3 * t;
+        let (t10, t11) = t9.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t11;
+        let uy = p.stroke * t10;
         // rate of the drive `uy`
-        let duy = p.constant4 * t12;
+        let duy = p.constant4 * t11;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
         // generalized torque of all other forces
-        let τ_2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
-        let t13 = dP_s_dφ2 - τ_2 - dM_left_lower_dφ2 * (dφ1 * dφ1);
-        let ddφ1 = -(per_det_left_lower * (p.C1 * t9 - M_left_lower * t13));
-        let ddφ2 = -(per_det_left_lower * (p.C0 * t13 - M_left_lower * t9));
+        let τ2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
+        // centrifugal and Coriolis terms
+        let h2 = dM12_dφ1 * (dφ1 * dφ1);
+        let t12 = dP_s_dφ2 - τ2 + h2;
+        let ddφ1 = -(per_det_M * (p.C1 * t8 - M12 * t12));
+        let ddφ2 = -(per_det_M * (p.C0 * t12 - M12 * t8));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -433,107 +428,104 @@ pub mod xy_stage {
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
-        let M_left_lower = p.half_C2 * cos_φ1_minus_φ2;
+        let M12 = p.half_C2 * cos_φ1_minus_φ2;
         // determinant of the inertia
-        let det_left_lower = p.C0_C1 - M_left_lower * M_left_lower;
-        let t1 = (det_left_lower * det_left_lower).recip();
+        let det_M = p.C0_C1 - M12 * M12;
+        let per_det_M_squared = (det_M * det_M).recip();
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        let dM_left_lower_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        let dM_left_lower_dφ1 = -dM_left_lower_dφ2;
-        let ddet_left_lower_dφ1 = -(M_left_lower * dM_left_lower_dφ1 * 2.0);
-        let t2 = t1 * ddet_left_lower_dφ1;
-        let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t3 = p.k * φ_right_minus_φ_right_0;
-        let t4 = T::from_f64(1.5707963267948966) - φ1;
-        // springs
-        let dP_s_dφ1 = t3 + t3 - p.k * t4 + t3;
+        // slope of the inertia
+        let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
+        // slope of the inertia
+        let dM12_dφ1 = -dM12_dφ2;
+        let ddet_M_dφ1 = -(M12 * dM12_dφ1 * 2.0);
+        let t1 = per_det_M_squared * ddet_M_dφ1;
+        let t2 = φ1 - 1.5707963267948966;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * t2;
         let l_sin_φ1 = p.l * sin_φ1;
-        let t5 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t6, t7) = t5.sin_cos();
+        let t3 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t4, t5) = t3.sin_cos();
         // displacement of `F1`
-        let x_F1 = p.l * (t6 * (t4 * 0.5).sin() * 2.0);
-        let k_φ2 = p.k * φ2;
-        // springs
-        let dP_s_dφ2 = k_φ2 + k_φ2 + k_φ2 + k_φ2;
+        let x_F1 = p.l
+            * (t4 * ((T::from_f64(1.5707963267948966) - φ1) * 0.5).sin() * 2.0);
+        // slope of the potential energy of springs
+        let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         // displacement of `T`
-        let y_T = p.l * (t7 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
+        let y_T = p.l * (t5 * (t2 * 0.5).sin() * 2.0);
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
         let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
-        let per_det_left_lower = det_left_lower.recip();
+        let per_det_M = det_M.recip();
         let dy_T_dφ1 = p.l * cos_φ1;
         let dx_F1_dφ1 = -l_sin_φ1;
         let dF_y_stack_dφ1 = p.ks * (dy_T_dφ1 - dy_T_dφ1);
-        let dτ_2_dφ1 = p.l * (cos_φ2 * dF_y_stack_dφ1);
+        let dτ2_dφ1 = p.l * (cos_φ2 * dF_y_stack_dφ1);
+        let ddM12_dφ1_dφ1 = -M12;
         let dF_x_stack_ddφ1 = p.l_cs * sin_φ1;
-        let dτ_1_ddφ1 = -(p._4_c + p.l * (sin_φ1 * dF_x_stack_ddφ1));
-        let C2_sin_φ1_minus_φ2 = p.C2 * sin_φ1_minus_φ2;
-        let ddet_left_lower_dφ2 = -(M_left_lower * dM_left_lower_dφ2 * 2.0);
-        let t8 = t1 * ddet_left_lower_dφ2;
+        let dτ1_ddφ1 = -(p._4_c + p.l * (sin_φ1 * dF_x_stack_ddφ1));
+        let ddet_M_dφ2 = -(M12 * dM12_dφ2 * 2.0);
+        let t6 = per_det_M_squared * ddet_M_dφ2;
         let dF_y_stack_ddφ2 = -(p.l_cs * cos_φ2);
-        let dτ_2_ddφ2 = p.l * (cos_φ2 * dF_y_stack_ddφ2) - p._4_c;
+        let dτ2_ddφ2 = p.l * (cos_φ2 * dF_y_stack_ddφ2) - p._4_c;
         // ── state ──
-        let t9 = p.constant1 * t;
-        let (t10, t11) = t9.sin_cos();
+        let t7 = p.constant1 * t;
+        let (t8, t9) = t7.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t10;
+        let ux = p.stroke * t8;
         // rate of the drive `ux`
-        let dux = p.constant2 * t11;
+        let dux = p.constant2 * t9;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
-        let h_left = dM_left_lower_dφ2 * dφ2_squared;
-        let t12 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h_left;
-        let t13 = p.constant3 * t;
-        let (t14, t15) = t13.sin_cos();
+        let h1 = dM12_dφ2 * dφ2_squared;
+        let t10 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
+        let t11 = p.constant3 * t;
+        let (t12, t13) = t11.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t14;
+        let uy = p.stroke * t12;
         // rate of the drive `uy`
-        let duy = p.constant4 * t15;
+        let duy = p.constant4 * t13;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
         // generalized torque of all other forces
-        let τ_2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
+        let τ2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
         let dφ1_squared = dφ1 * dφ1;
-        let t16 = dP_s_dφ2 - τ_2 - dM_left_lower_dφ2 * dφ1_squared;
-        let t17 = p.C1 * t12 - M_left_lower * t16;
+        // centrifugal and Coriolis terms
+        let h2 = dM12_dφ1 * dφ1_squared;
+        let t14 = dP_s_dφ2 - τ2 + h2;
+        let t15 = p.C1 * t10 - M12 * t14;
         let dF_x_stack_dφ1 = p.l_cs * cos_φ1 * dφ1 - p.ks * dx_F1_dφ1;
-        let t18 = p.ddP_s_dφ1_dφ1
+        let t16 = p.ddP_s_dφ1_dφ1
             + (dy_T_dφ1 * F_x_stack + l_sin_φ1 * dF_x_stack_dφ1);
-        let dh_left_dφ1 = M_left_lower * dφ2_squared;
-        let t19 = t18 + dh_left_dφ1;
-        let dh_lower_dφ2 = M_left_lower * dφ1_squared;
-        let t20 = dτ_2_dφ1 + dh_lower_dφ2;
-        let t21 = per_det_left_lower
-            * (p.C1 * t19 - dM_left_lower_dφ1 * t16 + M_left_lower * t20);
-        let dddφ1_dφ1 = t2 * t17 - t21;
-        let dh_lower_ddφ1 = -(C2_sin_φ1_minus_φ2 * dφ1);
-        let dddφ1_ddφ1 = per_det_left_lower
-            * (p.C1 * dτ_1_ddφ1 + M_left_lower * dh_lower_ddφ1);
-        let dh_left_dφ2 = -dh_left_dφ1;
+        let dh1_dφ1 = M12 * dφ2_squared;
+        let t17 = t16 + dh1_dφ1;
+        let dh2_dφ1 = ddM12_dφ1_dφ1 * dφ1_squared;
+        let dτ2_dφ1_minus_dh2_dφ1 = dτ2_dφ1 - dh2_dφ1;
+        let t18 = per_det_M
+            * (p.C1 * t17 - dM12_dφ1 * t14 + M12 * dτ2_dφ1_minus_dh2_dφ1);
+        let dddφ1_dφ1 = t1 * t15 - t18;
+        let dh2_ddφ1 = dM12_dφ1 * 2.0 * dφ1;
+        let dddφ1_ddφ1 = per_det_M * (p.C1 * dτ1_ddφ1 + M12 * dh2_ddφ1);
+        let dh1_dφ2 = ddM12_dφ1_dφ1 * dφ2_squared;
         let dF_y_stack_dφ2 = p.l_cs * sin_φ2 * dφ2 - p.ks * dy_P1_dφ2;
-        let dτ_2_dφ2 = dy_P1_dφ2 * dF_y_stack_dφ2 - p.l * sin_φ2 * F_y_stack;
-        let t22 = p.ddP_s_dφ1_dφ1 - dτ_2_dφ2 + dh_lower_dφ2;
-        let t23 = dM_left_lower_dφ2 * t16 - p.C1 * dh_left_dφ2 + M_left_lower * t22;
-        let dddφ1_dφ2 = t8 * t17 + per_det_left_lower * t23;
-        let dh_left_ddφ2 = C2_sin_φ1_minus_φ2 * dφ2;
-        let t24 = per_det_left_lower
-            * (M_left_lower * dτ_2_ddφ2 + p.C1 * dh_left_ddφ2);
-        let dddφ1_ddφ2 = -t24;
-        let t25 = p.C0 * t16 - M_left_lower * t12;
-        let t26 = per_det_left_lower
-            * (p.C0 * t20 + dM_left_lower_dφ1 * t12 + M_left_lower * t19);
-        let dddφ2_dφ1 = t2 * t25 + t26;
-        let t27 = per_det_left_lower
-            * (M_left_lower * dτ_1_ddφ1 + p.C0 * dh_lower_ddφ1);
-        let dddφ2_ddφ1 = -t27;
-        let t28 = dM_left_lower_dφ2 * t12 - p.C0 * t22 + M_left_lower * dh_left_dφ2;
-        let dddφ2_dφ2 = t8 * t25 + per_det_left_lower * t28;
-        let dddφ2_ddφ2 = per_det_left_lower
-            * (p.C0 * dτ_2_ddφ2 + M_left_lower * dh_left_ddφ2);
+        let dτ2_dφ2 = dy_P1_dφ2 * dF_y_stack_dφ2 - p.l * sin_φ2 * F_y_stack;
+        let dh2_dφ2 = M12 * dφ1_squared;
+        let t19 = p.ddP_s_dφ1_dφ1 - dτ2_dφ2 + dh2_dφ2;
+        let dddφ1_dφ2 = t6 * t15
+            + per_det_M * (dM12_dφ2 * t14 - p.C1 * dh1_dφ2 + M12 * t19);
+        let dh1_ddφ2 = dM12_dφ2 * 2.0 * dφ2;
+        let dddφ1_ddφ2 = -(per_det_M * (M12 * dτ2_ddφ2 + p.C1 * dh1_ddφ2));
+        let t20 = p.C0 * t14 - M12 * t10;
+        let t21 = per_det_M
+            * (p.C0 * dτ2_dφ1_minus_dh2_dφ1 + dM12_dφ1 * t10 + M12 * t17);
+        let dddφ2_dφ1 = t1 * t20 + t21;
+        let dddφ2_ddφ1 = -(per_det_M * (M12 * dτ1_ddφ1 + p.C0 * dh2_ddφ1));
+        let dddφ2_dφ2 = t6 * t20
+            + per_det_M * (dM12_dφ2 * t10 - p.C0 * t19 + M12 * dh1_dφ2);
+        let dddφ2_ddφ2 = per_det_M * (p.C0 * dτ2_ddφ2 + M12 * dh1_ddφ2);
         result[1] = T::from_f64(1.0);
         result[4] = dddφ1_dφ1;
         result[5] = dddφ1_ddφ1;
@@ -586,20 +578,16 @@ pub mod xy_stage {
         let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
-        let M_left_lower = p.half_C2 * cos_φ1_minus_φ2;
-        let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.half_k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0);
+        let M12 = p.half_C2 * cos_φ1_minus_φ2;
+        let t1 = φ1 - 1.5707963267948966;
         let t2 = T::from_f64(1.5707963267948966) - φ1;
-        let t3 = p.half_k * (t2 * t2);
-        let half_k_φ2_squared = p.half_k * (φ2 * φ2);
-        let t4 = t1 + t1 + t3 + t3 + half_k_φ2_squared + half_k_φ2_squared
-            + half_k_φ2_squared;
-        let t5 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t6, t7) = t5.sin_cos();
+        let k_φ2_squared = p.k * (φ2 * φ2);
+        let t3 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t4, t5) = t3.sin_cos();
         // displacement of `F1`
-        let x_F1 = p.l * (t6 * (t2 * 0.5).sin() * 2.0);
+        let x_F1 = p.l * (t4 * (t2 * 0.5).sin() * 2.0);
         // displacement of `T`
-        let y_T = p.l * (t7 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
+        let y_T = p.l * (t5 * (t1 * 0.5).sin() * 2.0);
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
@@ -608,35 +596,36 @@ pub mod xy_stage {
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;
         let dφ2_squared = dφ2 * dφ2;
-        let t8 = p.half_C0 * dφ1_squared + p.half_C1 * dφ2_squared
-            + M_left_lower * (dφ1 * dφ2);
-        let t9 = p.constant1 * t;
-        let (t10, t11) = t9.sin_cos();
+        let t6 = p.half_C0 * dφ1_squared + p.half_C1 * dφ2_squared
+            + M12 * (dφ1 * dφ2);
+        let t7 = p.constant1 * t;
+        let (t8, t9) = t7.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t10;
+        let ux = p.stroke * t8;
         let x_F1_minus_ux = x_F1 - ux;
-        let t12 = t4 + half_k_φ2_squared + p.half_ks * (x_F1_minus_ux * x_F1_minus_ux);
-        let t13 = p.constant3 * t;
-        let (t14, t15) = t13.sin_cos();
+        let t10 = p.k * (t1 * t1) + p.k * (t2 * t2) + k_φ2_squared + k_φ2_squared
+            + p.half_ks * (x_F1_minus_ux * x_F1_minus_ux);
+        let t11 = p.constant3 * t;
+        let (t12, t13) = t11.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t14;
+        let uy = p.stroke * t12;
         let y_P1_minus_y_T_minus_uy = y_P1 - y_T - uy;
-        let t16 = t12 + p.half_ks * (y_P1_minus_y_T_minus_uy * y_P1_minus_y_T_minus_uy);
+        let t14 = t10 + p.half_ks * (y_P1_minus_y_T_minus_uy * y_P1_minus_y_T_minus_uy);
         // rate of the drive `ux`
-        let dux = p.constant2 * t11;
+        let dux = p.constant2 * t9;
         let l_sin_φ1_dφ1_plus_dux = p.l * sin_φ1 * dφ1 + dux;
-        let t17 = p._4_c * dφ1_squared + p._4_c * dφ2_squared
+        let t15 = p._4_c * dφ1_squared + p._4_c * dφ2_squared
             + p.cs * (l_sin_φ1_dφ1_plus_dux * l_sin_φ1_dφ1_plus_dux);
         // rate of the drive `uy`
-        let duy = p.constant4 * t15;
+        let duy = p.constant4 * t13;
         let dy_P1_dφ2_dφ2_minus_duy = dy_P1_dφ2 * dφ2 - duy;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * l_sin_φ1_dφ1_plus_dux;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * dy_P1_dφ2_dφ2_minus_duy;
-        result[0] = t8;
-        result[1] = t16;
-        result[2] = t17 + p.cs * (dy_P1_dφ2_dφ2_minus_duy * dy_P1_dφ2_dφ2_minus_duy);
+        result[0] = t6;
+        result[1] = t14;
+        result[2] = t15 + p.cs * (dy_P1_dφ2_dφ2_minus_duy * dy_P1_dφ2_dφ2_minus_duy);
         result[3] = dux * F_x_stack + duy * F_y_stack;
     }
     /// Event functions: each event happens where its function rises through zero.
@@ -1252,8 +1241,7 @@ pub mod xy_stage {
 ════════
 
 A serial xy stage: a platform on two leaf springs on a frame, which stands on two others; a
-piezo
-stack moves each.
+piezo stack moves each.
 
 Leaves are pseudo-rigid links with a torsion spring at either end.
 
@@ -1269,7 +1257,7 @@ Parallelogram upper–platform–lower
 
   l e^(i φ_upper) - w e^(i φ_platform) - l e^(i φ2) + i w = 0
   φ_upper = φ2 (opposite sides are equal)
-  φ_platform = 0 + π/2 (opposite sides are equal)
+  φ_platform = π/2 (opposite sides are equal)
 
 Drives
 ──────
@@ -1296,22 +1284,32 @@ Named forces
 Equations of motion of `left`, `lower`
 ──────────────────────────────────────
 
-  M_left_lower = ½ C2 cos(φ1 - φ2)
-  h_left       = ½ C2 φ̇2² sin(φ1 - φ2)
-  h_lower      = ½ C2 φ̇1² sin(φ2 - φ1)
-  ∂P_s/∂φ1     = k (φ1 - φ1⁰)
-               + k (φ_right - φ_right⁰)
-               - k (φ_frame - φ_frame⁰ - φ1 + φ1⁰)
-               + k (φ_right - φ_right⁰ - (φ_frame - φ_frame⁰))
-  τ_1          = -4 c φ̇1 - l F_x_stack sin(φ1)
-  ∂P_s/∂φ2     = k (φ_upper - φ_upper⁰ - (φ_frame - φ_frame⁰))
-               - k (φ_frame - φ_frame⁰ - φ2 + φ2⁰)
-               - k (φ_platform - φ_platform⁰ - φ2 + φ2⁰)
-               + k (φ_upper - φ_upper⁰ - (φ_platform - φ_platform⁰))
-  τ_2          = l F_y_stack cos(φ2) - 4 c φ̇2
+Coordinates:
 
-  C0 φ̈1 + M_left_lower φ̈2 + h_left + ∂P_s/∂φ1 = τ_1
-  M_left_lower φ̈1 + C1 φ̈2 + h_lower + ∂P_s/∂φ2 = τ_2
+  q = (φ1, φ2)
+
+Inertia:
+
+  M12      = ½ C2 cos(φ1 - φ2)
+  ∂M12/∂φ1 = ½ C2 sin(φ2 - φ1)
+  ∂M12/∂φ2 = ½ C2 sin(φ1 - φ2)
+  h1       = ∂M12/∂φ2 φ̇2²
+  h2       = ∂M12/∂φ1 φ̇1²
+
+Potential energy:
+
+  ∂P_s/∂φ1 = 4 k (φ1 - φ1⁰)
+  ∂P_s/∂φ2 = 4 k (φ2 - φ2⁰)
+
+Other forces:
+
+  τ1 = -4 c φ̇1 - l F_x_stack sin(φ1)
+  τ2 = l F_y_stack cos(φ2) - 4 c φ̇2
+
+Balance:
+
+  C0 φ̈1 + M12 φ̈2 + h1 + ∂P_s/∂φ1 = τ1
+  M12 φ̈1 + C1 φ̈2 + h2 + ∂P_s/∂φ2 = τ2
 
 Constants
 ─────────
@@ -1329,8 +1327,6 @@ Constants
   I_upper = 1/12 ml l²        moment of inertia about the centre of mass of upper
   φ1⁰     = ½ π               angle of `left` as assembled
   φ2⁰     = 0                 angle of `lower` as assembled
-  φ_frame - φ_frame⁰ = 0
-  φ_platform - φ_platform⁰ = 0
 "#;
     /// The equations of motion as a LaTeX document.
     pub const EQUATIONS_LATEX: &str = r#"\documentclass[a4paper]{article}
@@ -1358,7 +1354,7 @@ Leaves are pseudo-rigid links with a torsion spring at either end.
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upper}}} - w\, e^{i \varphi_{\mathrm{platform}}} - l\, e^{i \varphi_{2}} + i\,w = 0 \\
 & \varphi_{\mathrm{upper}} = \varphi_{2} \quad\text{(opposite sides are equal)} \\
-& \varphi_{\mathrm{platform}} = 0 + \pi/2 \quad\text{(opposite sides are equal)}
+& \varphi_{\mathrm{platform}} = \pi/2 \quad\text{(opposite sides are equal)}
 \end{align*}
 
 \subsection*{Drives}
@@ -1384,22 +1380,31 @@ F_{y,\mathrm{stack}} &= \mathit{ks} \left(\mathit{uy} + y_{T} - y_{\mathrm{P1}}\
 \end{align*}
 
 \subsection*{Equations of motion of \texttt{left}, \texttt{lower}}
+Coordinates:
 \begin{align*}
-M_{\mathrm{left},\mathrm{lower}} &= \frac{1}{2} \, C_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
-h_{\mathrm{left}} &= \frac{1}{2} \, C_{2} \, \dot{\varphi}_{2}^{2} \sin\left(\varphi_{1} - \varphi_{2}\right) \\
-h_{\mathrm{lower}} &= \frac{1}{2} \, C_{2} \, \dot{\varphi}_{1}^{2} \sin\left(\varphi_{2} - \varphi_{1}\right) \\
-\frac{\partial P_s}{\partial \varphi_{1}} &= k \left(\varphi_{1} - \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{1} + \varphi_{1}^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{right}} - \varphi_{\mathrm{right}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
+& q = \left(\varphi_{1},\, \varphi_{2}\right)
+\end{align*}
+Inertia:
+\begin{align*}
+M_{12} &= \frac{1}{2} \, C_{2} \cos\left(\varphi_{1} - \varphi_{2}\right) \\
+\frac{\partial M_{12}}{\partial \varphi_{1}} &= \frac{1}{2} \, C_{2} \sin\left(\varphi_{2} - \varphi_{1}\right) \\
+\frac{\partial M_{12}}{\partial \varphi_{2}} &= \frac{1}{2} \, C_{2} \sin\left(\varphi_{1} - \varphi_{2}\right) \\
+h_{1} &= \frac{\partial M_{12}}{\partial \varphi_{2}} \, \dot{\varphi}_{2}^{2} \\
+h_{2} &= \frac{\partial M_{12}}{\partial \varphi_{1}} \, \dot{\varphi}_{1}^{2}
+\end{align*}
+Potential energy:
+\begin{align*}
+\frac{\partial P_s}{\partial \varphi_{1}} &= 4 \, k \left(\varphi_{1} - \varphi_{1}^0\right) \\
+\frac{\partial P_s}{\partial \varphi_{2}} &= 4 \, k \left(\varphi_{2} - \varphi_{2}^0\right)
+\end{align*}
+Other forces:
+\begin{align*}
 \tau_{1} &= -4 \, c \, \dot{\varphi}_{1} - l \, F_{x,\mathrm{stack}} \sin \varphi_{1} \\
-\frac{\partial P_s}{\partial \varphi_{2}} &= k \left(\varphi_{\mathrm{upper}} - \varphi_{\mathrm{upper}}^0 - \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0\right)\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
-&\quad {}- k \left(\varphi_{\mathrm{platform}} - \varphi_{\mathrm{platform}}^0 - \varphi_{2} + \varphi_{2}^0\right) \\
-&\quad {}+ k \left(\varphi_{\mathrm{upper}} - \varphi_{\mathrm{upper}}^0 - \left(\varphi_{\mathrm{platform}} - \varphi_{\mathrm{platform}}^0\right)\right) \\
-\tau_{2} &= l \, F_{y,\mathrm{stack}} \cos \varphi_{2} - 4 \, c \, \dot{\varphi}_{2} \\
-& C_{0}\,\ddot{\varphi}_{1} + M_{\mathrm{left},\mathrm{lower}}\,\ddot{\varphi}_{2} + h_{\mathrm{left}} + \frac{\partial P_s}{\partial \varphi_{1}} = \tau_{1} \\
-& M_{\mathrm{left},\mathrm{lower}}\,\ddot{\varphi}_{1} + C_{1}\,\ddot{\varphi}_{2} + h_{\mathrm{lower}} + \frac{\partial P_s}{\partial \varphi_{2}} = \tau_{2}
+\tau_{2} &= l \, F_{y,\mathrm{stack}} \cos \varphi_{2} - 4 \, c \, \dot{\varphi}_{2}
+\end{align*}
+Balance:
+\begin{align*}
+& \begin{bmatrix} C_{0} & M_{12} \\[1ex] M_{12} & C_{1} \end{bmatrix} \begin{bmatrix} \ddot{\varphi}_{1} \\[1ex] \ddot{\varphi}_{2} \end{bmatrix} + \begin{bmatrix} h_{1} \\[1ex] h_{2} \end{bmatrix} + \begin{bmatrix} \frac{\partial P_s}{\partial \varphi_{1}} \\[1ex] \frac{\partial P_s}{\partial \varphi_{2}} \end{bmatrix} = \begin{bmatrix} \tau_{1} \\[1ex] \tau_{2} \end{bmatrix}
 \end{align*}
 
 \subsection*{Constants}
@@ -1416,9 +1421,7 @@ I_{2} &= \frac{1}{12} \, \mathit{ml} \, l^{2} && \text{moment of inertia about t
 r_{\mathrm{upper}} &= \frac{1}{2} \, l && \text{distance of the centre of mass from the first end of upper} \\
 I_{\mathrm{upper}} &= \frac{1}{12} \, \mathit{ml} \, l^{2} && \text{moment of inertia about the centre of mass of upper} \\
 \varphi_{1}^0 &= \frac{1}{2} \, \pi && \text{angle of \texttt{left} as assembled} \\
-\varphi_{2}^0 &= 0 && \text{angle of \texttt{lower} as assembled} \\
-\varphi_{\mathrm{frame}} - \varphi_{\mathrm{frame}}^0 &= 0 \\
-\varphi_{\mathrm{platform}} - \varphi_{\mathrm{platform}}^0 &= 0
+\varphi_{2}^0 &= 0 && \text{angle of \texttt{lower} as assembled}
 \end{align*}
 
 \end{document}

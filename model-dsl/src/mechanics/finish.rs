@@ -7,7 +7,7 @@ use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::equations::{Discrete, Equations, Event, Kink, Line, Shown, ShownUnit};
 use crate::model::{BodyKind, EnergyKind, Measure};
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{Expr, Function, Symbol};
 
 use super::inertia::Inertia;
 use super::laws::Laws;
@@ -257,37 +257,7 @@ impl Derivation<'_> {
 
     /// Definitions of params only that the printed equations use and that no other section shows.
     fn constants_section(&mut self) {
-        let shown: Vec<Expr> = self
-            .report
-            .iter()
-            .flat_map(|section| &section.lines)
-            .filter_map(|line| match line {
-                Line::Equation { right, .. } => Some(*right),
-                Line::Text(_) | Line::Written { .. } => None,
-            })
-            .collect();
-        let mut lines = Vec::new();
-        let mut wanted = self.g.symbols_in(&shown);
-        let mut at = 0;
-        let mut seen: HashSet<_> = wanted.iter().copied().collect();
-        let mut rows = Vec::new();
-        let fixed = self.fixed_for_a_run();
-        while at < wanted.len() {
-            let symbol = wanted[at];
-            at += 1;
-            let Some(value) = self.values.get(&symbol).copied() else {
-                continue;
-            };
-            if !fixed.contains(&symbol) {
-                continue;
-            }
-            rows.push((symbol, value));
-            for inner in self.g.symbols_in(&[value]) {
-                if seen.insert(inner) {
-                    wanted.push(inner);
-                }
-            }
-        }
+        let (rows, twins) = self.constants_in_use();
         let meanings: HashMap<Symbol, String> = self
             .definitions
             .iter()
@@ -298,7 +268,6 @@ impl Derivation<'_> {
                 Definition::Solve(_) => None,
             })
             .collect();
-        rows.sort_by_key(|(symbol, _)| *symbol);
         let titles: HashSet<String> = self
             .report
             .iter()
@@ -308,14 +277,102 @@ impl Derivation<'_> {
                 Line::Text(_) | Line::Written { .. } => None,
             })
             .collect();
+        let mut lines = Vec::new();
         for (symbol, value) in rows {
             if titles.contains(self.g.symbol_text(symbol)) {
                 continue;
             }
+            let side = self.branches.iter().find(|(sign, _)| *sign == symbol);
+            let value = match side.copied() {
+                Some((_, side)) => self.g.function(Function::Sign, &[side]),
+                None => value,
+            };
             let meaning = meanings.get(&symbol).map_or("", String::as_str);
             self.equation_line(&mut lines, symbol, value, meaning);
         }
+        if !twins.is_empty() {
+            lines.push(self.twins_line(&twins));
+        }
         self.section("Constants", lines);
+    }
+
+    /// Symbols fixed for a run that the report leads to, with their values; apart from them those
+    /// that stand for others as assembled, as far as they are mentioned.
+    fn constants_in_use(&self) -> (Vec<(Symbol, Expr)>, Vec<Symbol>) {
+        let shown: Vec<Expr> = self
+            .report
+            .iter()
+            .flat_map(|section| &section.lines)
+            .filter_map(|line| match line {
+                Line::Equation { right, .. } => Some(*right),
+                Line::Text(_) | Line::Written { .. } => None,
+            })
+            .collect();
+        // `φ2 - φ2⁰` is one symbol.
+        let starts: HashMap<Symbol, Symbol> = self
+            .variables
+            .iter()
+            .flatten()
+            .filter_map(|v| Some((self.g.as_symbol(v.shift)?, self.g.as_symbol(v.assembled)?)))
+            .collect();
+        let fixed = self.fixed_for_a_run();
+        let mut wanted = self.g.symbols_in(&shown);
+        let mut seen: HashSet<Symbol> = wanted.iter().copied().collect();
+        let mut mentioned = seen.clone();
+        let (mut rows, mut at) = (Vec::new(), 0);
+        while let Some(&symbol) = wanted.get(at) {
+            at += 1;
+            let mut inner = Vec::new();
+            if let Some(&start) = starts.get(&symbol) {
+                mentioned.insert(start);
+                inner.push(start);
+            }
+            if let Some(&value) = self.values.get(&symbol)
+                && fixed.contains(&symbol)
+            {
+                inner.extend(self.g.symbols_in(&[value]));
+                if !self.twins.contains(&symbol) {
+                    rows.push((symbol, value));
+                    mentioned.extend(&inner);
+                }
+            }
+            wanted.extend(inner.into_iter().filter(|symbol| seen.insert(*symbol)));
+        }
+        rows.sort_by_key(|(symbol, _)| *symbol);
+        let mut twins: Vec<Symbol> = mentioned.intersection(&self.twins).copied().collect();
+        twins.sort();
+        (rows, twins)
+    }
+
+    /// `X⁰, Y⁰, φ2⁰: as in the loops, at φ1 = φ1⁰`.
+    fn twins_line(&self, twins: &[Symbol]) -> Line {
+        let (mut text, mut latex) = (Vec::new(), Vec::new());
+        for coordinate in &self.coordinates {
+            if !self.structure.in_loop(coordinate.body) {
+                continue;
+            }
+            let start = self.variable(coordinate.body).assembled;
+            let (q, q_latex) = (
+                self.g.symbol_text(coordinate.symbol),
+                self.g.symbol_latex(coordinate.symbol),
+            );
+            text.push(format!("{q} = {}", self.g.text(start)));
+            latex.push(format!("{q_latex} = {}", self.g.latex(start)));
+        }
+        let names: Vec<&str> = twins.iter().map(|s| self.g.symbol_text(*s)).collect();
+        let latex_names: Vec<&str> = twins.iter().map(|s| self.g.symbol_latex(*s)).collect();
+        Line::Written {
+            text: format!(
+                "{}: by the formulas of the loops, at {}",
+                names.join(", "),
+                text.join(", ")
+            ),
+            latex: format!(
+                "{}: \\text{{ by the formulas of the loops, at }} {}",
+                latex_names.join(",\\, "),
+                latex.join(",\\, ")
+            ),
+        }
     }
 
     /// Symbols with a value that is made of params, of what is solved for when the mechanism is

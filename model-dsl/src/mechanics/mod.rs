@@ -16,6 +16,7 @@
 //! closed form.
 
 mod closing;
+mod coupled;
 mod finish;
 mod inertia;
 mod laws;
@@ -30,7 +31,7 @@ mod summary;
 mod switches;
 mod turned;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use flexure_runtime::diagnostic::Diagnostic;
 
@@ -122,6 +123,10 @@ pub(crate) struct Derivation<'m> {
     pub drive_rates: HashMap<Symbol, Expr>,
     /// Links that turn with others, by body.
     pub aliases: Vec<Option<closing::Alias>>,
+    /// Symbols that stand for others in the assembled configuration, by the same formulas.
+    pub twins: HashSet<Symbol>,
+    /// Signs that tell how loops close, and what they are the signs of.
+    pub branches: Vec<(Symbol, Expr)>,
     /// Modes whose value at the start follows from the start state.
     pub modes: Vec<start::Mode>,
     pub errors: Vec<Diagnostic>,
@@ -153,6 +158,8 @@ impl<'m> Derivation<'m> {
             report: Vec::new(),
             drive_rates: HashMap::new(),
             aliases: vec![None; model.bodies.len()],
+            twins: HashSet::new(),
+            branches: Vec::new(),
             modes: Vec::new(),
             errors: Vec::new(),
             warnings: Vec::new(),
@@ -192,6 +199,20 @@ impl<'m> Derivation<'m> {
         let symbol = self.names.symbol(&mut self.g, name);
         self.define(symbol, value, meaning);
         self.g.of(symbol)
+    }
+
+    /// What tells the quantities of a coordinate from those of others: `1` of `φ1`, or the whole
+    /// symbol where that is not enough: `θ`, `x_P` beside `y_P`.
+    pub(crate) fn coordinate_label(&self, index: usize) -> String {
+        let symbol = |index: usize| self.g.symbol_text(self.coordinates[index].symbol);
+        let label = names::subscript(symbol(index));
+        let is_shared = (0..self.coordinates.len())
+            .any(|other| other != index && names::subscript(symbol(other)) == label);
+        if label.is_empty() || is_shared {
+            symbol(index).to_owned()
+        } else {
+            label.to_owned()
+        }
     }
 
     /// A condition on params that must be positive.

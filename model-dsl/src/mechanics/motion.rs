@@ -12,7 +12,6 @@ use crate::symbolic::Expr;
 use super::Derivation;
 use super::inertia::Inertia;
 use super::laws::Laws;
-use super::names::subscript;
 
 /// What results: states and energies.
 pub(crate) struct Motion {
@@ -22,6 +21,42 @@ pub(crate) struct Motion {
     pub energy: Energy,
     /// Static generalized force ∂P/∂q - τ of each coordinate.
     pub imbalance: Vec<Expr>,
+}
+
+/// What acts on the coordinates of a block.
+#[derive(Default)]
+pub(super) struct Loads {
+    /// ∂P/∂q and τ of each coordinate.
+    pub values: Vec<(Expr, Expr)>,
+    /// How the former are made up.
+    potential: Vec<Line>,
+    /// How the latter are made up.
+    forces: Vec<Line>,
+}
+
+/// Lines of a section from which on its groups have headings.
+const HEADED: usize = 6;
+
+impl Loads {
+    /// The lines of an equation of motion: coordinates, inertia, ∂P/∂q, τ, and the balance of them.
+    pub fn grouped(self, coordinates: Vec<Line>, inertia: Vec<Line>, balance: Line) -> Vec<Line> {
+        let groups = [
+            ("Coordinates:", coordinates),
+            ("Inertia:", inertia),
+            ("Potential energy:", self.potential),
+            ("Other forces:", self.forces),
+            ("Balance:", vec![balance]),
+        ];
+        let is_headed = groups.iter().map(|(_, lines)| lines.len()).sum::<usize>() >= HEADED;
+        let mut all = Vec::new();
+        for (heading, lines) in groups {
+            if is_headed && !lines.is_empty() {
+                all.push(Line::Text(heading.to_owned()));
+            }
+            all.extend(lines);
+        }
+        all
+    }
 }
 
 impl Derivation<'_> {
@@ -39,17 +74,16 @@ impl Derivation<'_> {
                 self.massless(index);
                 continue;
             }
-            let mut loads = Vec::new();
-            let mut lines = Vec::new();
+            let mut loads = Loads::default();
             for &index in block {
-                let (potential, force) = self.generalized_forces(index, laws, &mut lines);
+                let (potential, force) = self.generalized_forces(index, laws, &mut loads);
                 imbalance[index] = self.g.sub(potential, force);
-                loads.push((potential, force));
+                loads.values.push((potential, force));
             }
             if let [index] = block[..] {
-                self.single(index, inertia, loads[0], lines);
+                self.single(index, inertia, loads);
             } else {
-                self.coupled(block, inertia, &loads, lines);
+                self.coupled(block, inertia, loads);
             }
         }
         let kinetic = self.kinetic_energy(&inertia.matrix);
@@ -88,18 +122,17 @@ impl Derivation<'_> {
         if link(index) && links == 1 {
             String::new()
         } else {
-            let name = self.g.symbol_text(self.coordinates[index].symbol);
-            format!("_{}", subscript(name))
+            let label = self.coordinate_label(index);
+            if label.chars().all(|c| c.is_ascii_digit()) {
+                label
+            } else {
+                format!("_{label}")
+            }
         }
     }
 
     /// ∂P/∂q and τ of a coordinate, named.
-    fn generalized_forces(
-        &mut self,
-        index: usize,
-        laws: &Laws,
-        lines: &mut Vec<Line>,
-    ) -> (Expr, Expr) {
+    fn generalized_forces(&mut self, index: usize, laws: &Laws, loads: &mut Loads) -> (Expr, Expr) {
         let q = self.coordinates[index].symbol;
         let (text, latex) = (
             self.g.symbol_text(q).to_owned(),
@@ -112,9 +145,9 @@ impl Derivation<'_> {
                 continue;
             }
             let words = if letter == "P_s" {
-                "springs"
+                "slope of the potential energy of springs"
             } else {
-                "gravity"
+                "slope of the potential energy of gravity"
             };
             let symbol = self.names.symbol_with_latex(
                 &mut self.g,
@@ -122,7 +155,7 @@ impl Derivation<'_> {
                 &format!("\\frac{{\\partial {letter}}}{{\\partial {latex}}}"),
             );
             self.define(symbol, sum, words);
-            self.equation_line(lines, symbol, sum, "");
+            self.equation_line(&mut loads.potential, symbol, sum, "");
             parts.push(self.g.of(symbol));
         }
         let mut potential = self.g.sum(&parts);
@@ -132,8 +165,8 @@ impl Derivation<'_> {
                 &format!("∂P/∂{text}"),
                 &format!("\\frac{{\\partial P}}{{\\partial {latex}}}"),
             );
-            self.define(symbol, potential, "potential energy");
-            self.equation_line(lines, symbol, potential, "");
+            self.define(symbol, potential, "slope of the potential energy");
+            self.equation_line(&mut loads.potential, symbol, potential, "");
             potential = self.g.of(symbol);
         }
         let mut force = self.g.sum(&laws.forces[index]);
@@ -154,7 +187,7 @@ impl Derivation<'_> {
             };
             let symbol = self.names.symbol(&mut self.g, &name);
             self.define(symbol, force, words);
-            self.equation_line(lines, symbol, force, "");
+            self.equation_line(&mut loads.forces, symbol, force, "");
             force = self.g.of(symbol);
         }
         (potential, force)
@@ -162,13 +195,8 @@ impl Derivation<'_> {
 
     /// A block of one: A(q) q̈ + ½ ∂A/∂q q̇² + ∂P/∂q = τ, or with the full h where other coordinates
     /// take part.
-    fn single(
-        &mut self,
-        index: usize,
-        inertia: &Inertia,
-        (potential, force): (Expr, Expr),
-        force_lines: Vec<Line>,
-    ) {
+    fn single(&mut self, index: usize, inertia: &Inertia, loads: Loads) {
+        let (potential, force) = loads.values[0];
         let coordinate = self.coordinates[index].clone();
         let names = [coordinate.symbol, coordinate.rate, coordinate.acceleration].map(|s| {
             (
@@ -220,7 +248,7 @@ impl Derivation<'_> {
                     latex_suffix(&suffix)
                 );
                 let symbol = self.names.symbol_with_latex(&mut self.g, &name, &latex);
-                self.define(symbol, slope, "its derivative");
+                self.define(symbol, slope, "slope of the inertia");
                 self.equation_line(&mut lines, symbol, slope, "");
                 left.push((
                     format!("½ {name} {rate}²"),
@@ -250,15 +278,14 @@ impl Derivation<'_> {
         let total = self.g.sum(&balance);
         let value = self.g.div(total, inertia_value);
         self.define(coordinate.acceleration, value, "");
-        lines.extend(force_lines);
         let (left_text, left_latex): (Vec<String>, Vec<String>) = left.into_iter().unzip();
-        lines.push(Line::Written {
+        let balance = Line::Written {
             text: format!("{} = {}", left_text.join(" + "), self.g.text(force)),
             latex: format!("{} = {}", left_latex.join(" + "), self.g.latex(force)),
-        });
+        };
         let body = &self.model.bodies[coordinate.body];
         let title = format!("Equation of motion of `{}`", body.name);
-        self.section(&title, lines);
+        self.section(&title, loads.grouped(Vec::new(), lines, balance));
     }
 
     /// Whether the velocity terms of a coordinate are ½ ∂A/∂q q̇²: nothing else moves its inertia
@@ -277,193 +304,6 @@ impl Derivation<'_> {
             }
         }
         true
-    }
-
-    /// h_i = Σ_jk (∂M_ij/∂q_k - ½ ∂M_jk/∂q_i) q̇_j q̇_k.
-    fn velocity_terms(&mut self, index: usize, inertia: &Inertia) -> Expr {
-        let half = self.g.ratio(1, 2);
-        let mut terms = Vec::new();
-        for (j, k) in inertia.concerning(index) {
-            let by_other = self.gradient(inertia.matrix[index][j])[k];
-            let slope = self.gradient(inertia.matrix[j][k])[index];
-            let slope = self.g.mul(half, slope);
-            let slope = self.g.neg(slope);
-            let factor = self.g.sum(&[by_other, slope]);
-            let rates = [j, k].map(|other| self.g.of(self.coordinates[other].rate));
-            terms.push(self.g.product(&[factor, rates[0], rates[1]]));
-        }
-        self.g.sum(&terms)
-    }
-
-    /// A block of several: M and h by entries, M q̈ = τ - ∂P/∂q - h by L D Lᵀ, unrolled.
-    fn coupled(
-        &mut self,
-        block: &[usize],
-        inertia: &Inertia,
-        loads: &[(Expr, Expr)],
-        force_lines: Vec<Line>,
-    ) {
-        let size = block.len();
-        let mut lines = Vec::new();
-        let subs: Vec<String> = block
-            .iter()
-            .map(|&i| {
-                let body = self.coordinates[i].body;
-                self.model.bodies[body].name.clone()
-            })
-            .collect();
-        let mut matrix = vec![vec![self.g.zero(); size]; size];
-        for i in 0..size {
-            for j in 0..=i {
-                let entry = inertia.matrix[block[i]][block[j]];
-                let name = format!("M_{}_{}", subs[j], subs[i]);
-                let name = if i == j {
-                    format!("M_{}", subs[i])
-                } else {
-                    name
-                };
-                let value = if self.g.as_symbol(entry).is_some() || self.g.is_zero(entry) {
-                    entry
-                } else {
-                    let value = self.named(&name, entry, "inertia");
-                    if let Some(symbol) = self.g.as_symbol(value) {
-                        self.equation_line(&mut lines, symbol, entry, "");
-                    }
-                    value
-                };
-                matrix[i][j] = value;
-                matrix[j][i] = value;
-            }
-        }
-        let mut right = Vec::new();
-        let mut written = Vec::new();
-        for (i, &index) in block.iter().enumerate() {
-            let (potential, force) = loads[i];
-            let mut balance = vec![force, self.g.neg(potential)];
-            let h = self.velocity_terms(index, inertia);
-            let mut left: Vec<(String, String)> = Vec::new();
-            for (j, &other) in block.iter().enumerate() {
-                if self.g.is_zero(matrix[i][j]) {
-                    continue;
-                }
-                let acceleration = self.coordinates[other].acceleration;
-                left.push((
-                    format!(
-                        "{} {}",
-                        self.g.text(matrix[i][j]),
-                        self.g.symbol_text(acceleration)
-                    ),
-                    format!(
-                        "{}\\,{}",
-                        self.g.latex(matrix[i][j]),
-                        self.g.symbol_latex(acceleration)
-                    ),
-                ));
-            }
-            if !self.g.is_zero(h) {
-                let value = self.named(
-                    &format!("h_{}", subs[i]),
-                    h,
-                    "centrifugal and Coriolis terms",
-                );
-                if let Some(symbol) = self.g.as_symbol(value) {
-                    self.equation_line(&mut lines, symbol, h, "");
-                }
-                left.push((self.g.text(value), self.g.latex(value)));
-                balance.push(self.g.neg(value));
-            }
-            if !self.g.is_zero(potential) {
-                left.push((self.g.text(potential), self.g.latex(potential)));
-            }
-            let (text, latex): (Vec<String>, Vec<String>) = left.into_iter().unzip();
-            written.push(Line::Written {
-                text: format!("{} = {}", text.join(" + "), self.g.text(force)),
-                latex: format!("{} = {}", latex.join(" + "), self.g.latex(force)),
-            });
-            right.push(self.g.sum(&balance));
-        }
-        let accelerations = self.solve_block(&matrix, &right, &subs);
-        for (&index, value) in block.iter().zip(accelerations) {
-            let symbol = self.coordinates[index].acceleration;
-            self.define(symbol, value, "");
-        }
-        lines.extend(force_lines);
-        lines.extend(written);
-        let names: Vec<String> = subs.iter().map(|name| format!("`{name}`")).collect();
-        self.section(
-            &format!("Equations of motion of {}", names.join(", ")),
-            lines,
-        );
-    }
-
-    /// Solves a symmetric positive definite system: by its determinant for two, else by L D Lᵀ.
-    fn solve_block(&mut self, matrix: &[Vec<Expr>], right: &[Expr], subs: &[String]) -> Vec<Expr> {
-        let size = matrix.len();
-        if size == 2 {
-            let products = [(0, 0, 1, 1), (0, 1, 1, 0)]
-                .map(|(a, b, c, d)| self.g.mul(matrix[a][b], matrix[c][d]));
-            let determinant = self.g.sub(products[0], products[1]);
-            let name = format!("det_{}_{}", subs[0], subs[1]);
-            let determinant = self.named(&name, determinant, "determinant of the inertia");
-            return [(0, 1), (1, 0)]
-                .map(|(i, j)| {
-                    let own = self.g.mul(matrix[j][j], right[i]);
-                    let other = self.g.mul(matrix[i][j], right[j]);
-                    let numerator = self.g.sub(own, other);
-                    self.g.div(numerator, determinant)
-                })
-                .to_vec();
-        }
-        let mut lower = vec![vec![self.g.zero(); size]; size];
-        let mut pivots: Vec<Expr> = Vec::new();
-        for j in 0..size {
-            let mut terms = vec![matrix[j][j]];
-            for k in 0..j {
-                let square = self.g.powi(lower[j][k], 2);
-                let product = self.g.mul(square, pivots[k]);
-                terms.push(self.g.neg(product));
-            }
-            let pivot = self.g.sum(&terms);
-            let pivot = self.named(&format!("D_{}", subs[j]), pivot, "pivot of the inertia");
-            pivots.push(pivot);
-            for i in j + 1..size {
-                let mut terms = vec![matrix[i][j]];
-                for k in 0..j {
-                    let product = self.g.product(&[lower[i][k], lower[j][k], pivots[k]]);
-                    terms.push(self.g.neg(product));
-                }
-                let sum = self.g.sum(&terms);
-                let value = self.g.div(sum, pivot);
-                lower[i][j] = if self.g.is_zero(value) {
-                    value
-                } else {
-                    self.named(
-                        &format!("L_{}_{}", subs[i], subs[j]),
-                        value,
-                        "factor of the inertia",
-                    )
-                };
-            }
-        }
-        let mut solution: Vec<Expr> = Vec::new();
-        for i in 0..size {
-            let mut terms = vec![right[i]];
-            for k in 0..i {
-                let product = self.g.mul(lower[i][k], solution[k]);
-                terms.push(self.g.neg(product));
-            }
-            let value = self.g.sum(&terms);
-            solution.push(value);
-        }
-        for i in (0..size).rev() {
-            let mut terms = vec![self.g.div(solution[i], pivots[i])];
-            for k in i + 1..size {
-                let product = self.g.mul(lower[k][i], solution[k]);
-                terms.push(self.g.neg(product));
-            }
-            solution[i] = self.g.sum(&terms);
-        }
-        solution
     }
 
     /// Energy that an event takes out of springs and bristles is heat, for models that ask for
@@ -568,6 +408,7 @@ impl Derivation<'_> {
 fn latex_suffix(suffix: &str) -> String {
     match suffix.strip_prefix('_') {
         Some(name) => format!("_{{{}}}", crate::notation::latex_of(name)),
-        None => String::new(),
+        None if suffix.is_empty() => String::new(),
+        None => format!("_{{{suffix}}}"),
     }
 }

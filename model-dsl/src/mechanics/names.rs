@@ -43,8 +43,17 @@ impl Names {
     }
 }
 
-/// `φ1` with `mark` over its first letter: dots for rates.
+/// Letters that the first part of a name may have for a dot over the first to be read as the
+/// dot over all: `ẋp` is, `ėxtension` is not.
+const DOTTED: usize = 2;
+
+/// `φ1` with `mark` over its first letter: dots for rates. A word gets `d(word)/dt` instead.
 pub(crate) fn accented(name: &str, mark: char) -> String {
+    let first = name.split('_').next().unwrap_or_default();
+    if first.chars().filter(|c| c.is_alphabetic()).count() > DOTTED {
+        let power = if mark == '\u{308}' { "²" } else { "" };
+        return format!("d{power}({name})/dt{power}");
+    }
     let mut letters = name.chars();
     match letters.next() {
         Some(first) => format!("{first}{mark}{}", letters.as_str()),

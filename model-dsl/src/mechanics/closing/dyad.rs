@@ -58,7 +58,7 @@ impl Derivation<'_> {
         let name = self.way_name(way);
         let mut lines = vec![self.loop_line(sum)];
         let index = number.map_or_else(String::new, |n| n.to_string());
-        let branch = self.names.symbol(&mut self.g, &format!("s{index}"));
+        let branch = self.names.symbol(&mut self.g, &format!("ε{index}"));
         let mut dyad = Dyad {
             sum,
             unknowns,
@@ -92,8 +92,13 @@ impl Derivation<'_> {
         self.section(&format!("Loop {name}"), lines);
     }
 
-    /// Makes a step's symbol.
+    /// Makes a step's symbol, unless the step is a number or, but for its sign, a symbol.
     fn step(&mut self, dyad: &mut Dyad<'_>, name: &str, value: Expr, words: &str) -> Expr {
+        let opposite = self.g.neg(value);
+        let is_plain = |expr| self.g.as_symbol(expr).is_some() || self.g.as_number(expr).is_some();
+        if is_plain(value) || is_plain(opposite) {
+            return value;
+        }
         let symbol = self
             .names
             .symbol(&mut self.g, &format!("{name}{}", dyad.index));
@@ -176,9 +181,8 @@ impl Derivation<'_> {
 
         let mut sides = Vec::new();
         for (i, (frame, square)) in [(a, aa), (b, bb)].into_iter().enumerate() {
-            if let Some(drawn) = self.drawn(dyad.unknowns[i].body, frame) {
-                let cross = self.cross_of([x, y], drawn);
-                let side = self.g.div(cross, square);
+            let body = dyad.unknowns[i].body;
+            if let Some(side) = self.cross_with_drawn([x, y], body, frame, square) {
                 sides.push(if i == 0 { side } else { self.g.neg(side) });
             }
         }
@@ -380,6 +384,24 @@ impl Derivation<'_> {
             self.g.sub(products[0], products[1]),
             self.g.add(products[2], products[3]),
         ])
+    }
+
+    /// `vector` × the drawn vector of a link, over the square of the latter's length.
+    fn cross_with_drawn(
+        &mut self,
+        vector: [Expr; 2],
+        body: BodyId,
+        frame: [Expr; 2],
+        square: Expr,
+    ) -> Option<Expr> {
+        let (frame, divisor) = if self.g.is_zero(frame[1]) {
+            ([self.g.one(), frame[1]], frame[0])
+        } else {
+            (frame, square)
+        };
+        let drawn = self.drawn(body, frame)?;
+        let cross = self.cross_of(vector, drawn);
+        Some(self.g.div(cross, divisor))
     }
 
     /// Cosine and sine of a link's angle from its vector in the fixed frame and in its own.

@@ -173,6 +173,10 @@ impl Derivation<'_> {
         for index in 0..self.coordinates.len() {
             self.attach_rate(body, index);
         }
+        // What acts on the turn from the assembled angle acts on the other's: no sum remembers it.
+        if let Some(variable) = &mut self.variables[body] {
+            variable.shift = shift;
+        }
         self.aliases[body] = Some(alias);
         let (name, latex) = (
             self.g.symbol_text(unknown.symbol),
@@ -186,13 +190,17 @@ impl Derivation<'_> {
                     self.g.symbol_latex(symbol).to_owned(),
                 )
             }
-            None => ("0".to_owned(), "0".to_owned()),
+            None => (String::new(), String::new()),
         };
-        let turn = match alias.quarter % 4 {
-            0 => ("", ""),
-            1 => (" + π/2", " + \\pi/2"),
-            2 => (" + π", " + \\pi"),
-            _ => (" - π/2", " - \\pi/2"),
+        let turn = match (alias.quarter % 4, alias.link) {
+            (0, None) => ("0", "0"),
+            (1, None) => ("π/2", "\\pi/2"),
+            (2, None) => ("π", "\\pi"),
+            (_, None) => ("-π/2", "-\\pi/2"),
+            (0, Some(_)) => ("", ""),
+            (1, Some(_)) => (" + π/2", " + \\pi/2"),
+            (2, Some(_)) => (" + π", " + \\pi"),
+            (_, Some(_)) => (" - π/2", " - \\pi/2"),
         };
         lines.push(Line::Written {
             text: format!("{name} = {other}{} (opposite sides are equal)", turn.0),

@@ -37,6 +37,8 @@ impl Derivation<'_> {
             self.cross(&own[1], &along[0]),
         ];
         let mut made: Vec<(usize, Symbol, Expr)> = Vec::new();
+        let mut meant: Vec<(BodyId, usize, Symbol)> = Vec::new();
+        let heading = lines.len();
         for index in 0..self.coordinates.len() {
             let numerators = [0, 1].map(|i| {
                 let mut terms = Vec::new();
@@ -61,6 +63,7 @@ impl Derivation<'_> {
                 let value = self.g.div(numerators[i], denominators[i]);
                 let symbol = self.dependent_rate(bodies[i], index, value, lines);
                 made.push((i, symbol, numerators[i]));
+                meant.push((bodies[i], index, symbol));
             }
             for body in bodies {
                 self.attach_rate(body, index);
@@ -75,6 +78,48 @@ impl Derivation<'_> {
                 let value = self.g.div(value, denominators[i]);
                 self.second_rate(symbol, other, value, lines);
             }
+        }
+        if !meant.is_empty() {
+            lines.insert(heading, self.rates_line(&meant));
+        }
+    }
+
+    /// `ω2 = dφ2/dφ1, ω3 = dφ3/dφ1`: what the rates mean.
+    fn rates_line(&self, rates: &[(BodyId, usize, Symbol)]) -> Line {
+        let (sign, sign_latex) = if self.several_lead {
+            ("∂", "\\partial ")
+        } else {
+            ("d", "\\mathrm d")
+        };
+        let (mut text, mut latex) = (Vec::new(), Vec::new());
+        for &(body, index, rate) in rates {
+            let (of, by) = (self.variable(body).symbol, self.coordinates[index].symbol);
+            text.push(format!(
+                "{} = {sign}{}/{sign}{}",
+                self.g.symbol_text(rate),
+                self.g.symbol_text(of),
+                self.g.symbol_text(by)
+            ));
+            latex.push(format!(
+                "{} = \\frac{{{sign_latex}{}}}{{{sign_latex}{}}}",
+                self.g.symbol_latex(rate),
+                self.g.symbol_latex(of),
+                self.g.symbol_latex(by)
+            ));
+        }
+        if !self.several_lead
+            && let Some(&(_, index, _)) = rates.first()
+        {
+            let by = self.coordinates[index].symbol;
+            text.push(format!("' = d/d{}", self.g.symbol_text(by)));
+            latex.push(format!(
+                "{{}}' = \\frac{{\\mathrm d}}{{\\mathrm d{}}}",
+                self.g.symbol_latex(by)
+            ));
+        }
+        Line::Written {
+            text: text.join(", "),
+            latex: latex.join(",\\quad "),
         }
     }
 
@@ -128,22 +173,22 @@ impl Derivation<'_> {
         });
     }
 
-    /// ω2, or ω2_crank where loops follow several coordinates; for slides ν.
+    /// ω2 for φ2, ω_ψ for ψ, or ω2_1 where loops follow several coordinates; for slides ν.
     fn rate_symbol(&mut self, variable: &str, index: usize) -> Symbol {
         let letter = if variable.starts_with('x') {
             "ν"
         } else {
             "ω"
         };
-        let sub = subscript(variable);
-        let separator = if variable.chars().nth(1) == Some('_') {
+        let bare = subscript(variable).is_empty() || !variable.starts_with(['φ', 'x']);
+        let sub = if bare { variable } else { subscript(variable) };
+        let separator = if bare || variable.chars().nth(1) == Some('_') {
             "_"
         } else {
             ""
         };
         let name = if self.several_lead {
-            let body = self.coordinates[index].body;
-            format!("{letter}{separator}{sub}_{}", self.model.bodies[body].name)
+            format!("{letter}{separator}{sub}_{}", self.coordinate_label(index))
         } else {
             format!("{letter}{separator}{sub}")
         };

@@ -30,7 +30,10 @@ impl Derivation<'_> {
                 named.push(None);
                 continue;
             };
-            let sub = subscript(&unknown.name).to_owned();
+            let sub = match subscript(&unknown.name) {
+                "" => format!("_{}", unknown.name),
+                sub => sub.to_owned(),
+            };
             let latex = self.g.symbol_latex(unknown.symbol).to_owned();
             let pair =
                 [("c", "\\cos", cos), ("s", "\\sin", sin)].map(|(letter, function, value)| {
@@ -130,6 +133,7 @@ impl Derivation<'_> {
                     twin
                 }
             };
+            self.twins.insert(twin);
             let twin = self.g.of(twin);
             map.insert(*symbol, twin);
         }
@@ -144,6 +148,7 @@ impl Derivation<'_> {
             Some(guess) => self.g.function(Function::Unwrap, &[angle, guess]),
             None => angle,
         };
+        self.twins.insert(unknown.assembled);
         self.define(
             unknown.assembled,
             angle,
@@ -202,6 +207,7 @@ impl Derivation<'_> {
         };
         let (plus, minus) = (self.g.one(), self.g.integer(-1));
         let sign = self.g.function(Function::IfPositive, &[side, plus, minus]);
+        self.branches.push((dyad.branch, side));
         self.define(dyad.branch, sign, "which way the loop closes: as drawn");
     }
 

@@ -3,6 +3,7 @@
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::model::{Axis, BodyKind, End, GROUND, Local, Measure, Spring};
+use crate::notation::latex_of;
 use crate::symbolic::{Expr, Symbol};
 
 use super::super::Derivation;
@@ -14,22 +15,24 @@ impl Derivation<'_> {
     /// F = -k ε - c ε̇ on the second end, ε = (second - first)·axis - expansion.
     pub(super) fn spring(&mut self, index: usize, inertia: &Inertia, laws: &mut Laws) {
         let spring = self.model.springs[index].clone();
-        let extension = match spring.axis {
-            Axis::Line => self.extension_along_line(&spring),
+        let (extension, levers) = match spring.axis {
+            Axis::Line => self.extension_along_line(&spring, laws),
             Axis::Fixed(axis) => {
                 let axis = self.fixed(axis);
-                self.extension_along(&spring, &axis, laws)
+                self.with_gradient(|this| this.extension_along(&spring, &axis, laws))
             }
             Axis::Guide(slide) => {
                 let axis = self.guide(slide);
-                if axis.iter().all(|part| part.link.is_none()) {
-                    self.extension_along(&spring, &axis, laws)
-                } else {
-                    self.extension_along_moving_guide(&spring, slide)
-                }
+                let moves = axis.iter().any(|part| part.link.is_some());
+                self.with_gradient(|this| {
+                    if moves {
+                        this.extension_along_moving_guide(&spring, slide)
+                    } else {
+                        this.extension_along(&spring, &axis, laws)
+                    }
+                })
             }
         };
-        let levers = self.gradient(extension);
         let expansion = spring
             .expansion
             .map(|expansion| self.switched(expansion, &spring.name));
@@ -92,6 +95,13 @@ impl Derivation<'_> {
         laws.springs.push((strain, force));
     }
 
+    /// A measure of the configuration and its gradient.
+    fn with_gradient(&mut self, measure: impl FnOnce(&mut Self) -> Expr) -> (Expr, Vec<Expr>) {
+        let measure = measure(self);
+        let levers = self.gradient(measure);
+        (measure, levers)
+    }
+
     /// The place of an end; ground without a point stays at the origin.
     fn end_place(&mut self, end: &End) -> Vec<Turned> {
         let zero = self.g.zero();
@@ -117,7 +127,7 @@ impl Derivation<'_> {
                 let assembled = self.expand_with(distance, map);
                 let stretched = self.g.sub(assembled, length);
                 let words = format!("extension of `{}` as assembled", spring.name);
-                let stretched = self.named(&format!("ε_{}⁰", spring.name), stretched, words);
+                let stretched = self.named(&format!("e_{}⁰", spring.name), stretched, words);
                 self.g.add(moved, stretched)
             }
         }
@@ -157,46 +167,117 @@ impl Derivation<'_> {
         }
     }
 
-    /// Change of the distance of the ends, without cancellation: (|d|² - |d⁰|²)/(|d| + |d⁰|).
-    fn extension_along_line(&mut self, spring: &Spring) -> Expr {
+    /// Change of the distance of the ends, without cancellation: δ = (d² - d⁰²)/(L + L⁰), and how
+    /// it changes along each coordinate: ∂L/∂q = d·∂d/∂q / L.
+    fn extension_along_line(&mut self, spring: &Spring, laws: &mut Laws) -> (Expr, Vec<Expr>) {
+        let name = &spring.name;
         let [first, second] = [&spring.first, &spring.second].map(|end| self.end_place(end));
         let (one, zero) = (self.g.one(), self.g.zero());
-        let mut squares = Vec::new();
-        let mut squares_assembled = Vec::new();
-        let mut changes = Vec::new();
-        for axis in [[one, zero], [zero, one]] {
+        let (mut now, mut then, mut changes) = (Vec::new(), Vec::new(), Vec::new());
+        let n = self.coordinates.len();
+        let mut projected = vec![Vec::new(); n];
+        for (letter, axis) in [("x", [one, zero]), ("y", [zero, one])] {
             let axis = self.fixed(axis);
             let [a, b] = [&first, &second].map(|place| self.dot(place, &axis));
             let distance = self.g.sub(b, a);
             let map = &mut self.assembled_map();
             let assembled = self.expand_with(distance, map);
+            let assembled = self.named(&format!("Δ{letter}_{name}⁰"), assembled, "");
             let [a, b] = [&first, &second].map(|place| self.displacement(place, &axis));
-            let change = self.g.sub(b, a);
-            let letter = if axis[0].quarter == 0 { "x" } else { "y" };
-            let name = format!("Δ{letter}_{}⁰", spring.name);
-            let assembled = self.named(&name, assembled, "");
-            let now = self.g.add(assembled, change);
-            squares.push(self.g.powi(now, 2));
-            squares_assembled.push(self.g.powi(assembled, 2));
-            let twice = self.g.add(assembled, now);
-            changes.push(self.g.mul(change, twice));
+            let moved = self.g.sub(b, a);
+            let words = format!("change of Δ{letter}_{name}");
+            let moved = self.named_part(laws, &format!("δ{letter}_{name}"), moved, &words);
+            let component = self.g.add(assembled, moved);
+            let words = format!("from end to end of `{name}`");
+            let component = self.named_part(laws, &format!("Δ{letter}_{name}"), component, &words);
+            let both = self.g.add(assembled, component);
+            changes.push(self.g.mul(moved, both));
+            for (index, projected) in projected.iter_mut().enumerate() {
+                let [a, b] = [&first, &second].map(|place| self.lever(place, &axis, index));
+                let lever = self.g.sub(b, a);
+                projected.push(self.g.mul(component, lever));
+                for part in [moved, component] {
+                    self.attach_lever(part, index, lever);
+                }
+            }
+            now.push(component);
+            then.push(assembled);
         }
-        let square = self.g.sum(&squares_assembled);
-        let start = self.g.sqrt(square);
-        let words = format!("length of `{}` as assembled", spring.name);
-        let start = self.named(&format!("L_{}⁰", spring.name), start, words);
-        let square = self.g.sum(&squares);
-        let length = self.g.sqrt(square);
+        let [length, start] = [now, then].map(|components| {
+            let squares: Vec<Expr> = components.iter().map(|c| self.g.powi(*c, 2)).collect();
+            let square = self.g.sum(&squares);
+            self.g.sqrt(square)
+        });
+        let words = format!("length of `{name}` as assembled");
+        let start = self.named(&format!("L_{name}⁰"), start, words);
+        let words = format!("length of `{name}`");
+        let length = self.named_force(laws, &format!("L_{name}"), length, &words);
         let change = self.g.sum(&changes);
         let lengths = self.g.add(length, start);
-        let extension = self.g.div(change, lengths);
-        match spring.length {
-            None => extension,
-            Some(free) => {
-                let stretched = self.g.sub(start, free);
-                self.g.add(extension, stretched)
+        let mut extension = self.g.div(change, lengths);
+        if let Some(free) = spring.length {
+            let stretched = self.g.sub(start, free);
+            extension = self.g.add(extension, stretched);
+        }
+        let words = format!("extension of `{name}`");
+        let note = match spring.length {
+            Some(_) => "extension: the length less the free one, without cancellation",
+            None => "extension: the length less that as assembled, without cancellation",
+        };
+        let symbol = self.names.symbol(&mut self.g, &format!("e_{name}"));
+        self.define(symbol, extension, words);
+        self.equation_line(&mut laws.lines, symbol, extension, note);
+        let extension = self.g.of(symbol);
+        let mut levers = Vec::new();
+        for (index, terms) in projected.into_iter().enumerate() {
+            let sum = self.g.sum(&terms);
+            let lever = self.g.div(sum, length);
+            levers.push(self.named_lever(spring, index, lever, laws));
+        }
+        for (index, lever) in levers.iter().enumerate() {
+            for part in [extension, length] {
+                self.attach_lever(part, index, *lever);
             }
         }
+        (extension, levers)
+    }
+
+    /// A named part of the extension, unless it is no more than a symbol or a number.
+    fn named_part(&mut self, laws: &mut Laws, name: &str, value: Expr, words: &str) -> Expr {
+        if self.g.as_symbol(value).is_some() || self.g.as_number(value).is_some() {
+            return value;
+        }
+        self.named_force(laws, name, value, words)
+    }
+
+    /// Tells how a named part changes with coordinate `index`.
+    fn attach_lever(&mut self, part: Expr, index: usize, lever: Expr) {
+        let Some(symbol) = self.g.as_symbol(part) else {
+            return;
+        };
+        if !self.g.is_zero(lever) {
+            self.rates[index].insert(symbol, lever);
+        }
+    }
+
+    /// ∂L/∂q by its name.
+    fn named_lever(&mut self, spring: &Spring, index: usize, lever: Expr, laws: &mut Laws) -> Expr {
+        if self.g.is_zero(lever) {
+            return lever;
+        }
+        let q = self.coordinates[index].symbol;
+        let length = format!("L_{}", spring.name);
+        let text = format!("∂{length}/∂{}", self.g.symbol_text(q));
+        let latex = format!(
+            "\\frac{{\\partial {}}}{{\\partial {}}}",
+            latex_of(&length),
+            self.g.symbol_latex(q)
+        );
+        let symbol = self.names.symbol_with_latex(&mut self.g, &text, &latex);
+        let words = format!("lever of `{}`: change of its length", spring.name);
+        self.define(symbol, lever, words);
+        self.equation_line(&mut laws.lines, symbol, lever, "");
+        self.g.of(symbol)
     }
 
     /// Along a guide that turns with its carrier: only between the carrier and its slide.
