@@ -9,10 +9,12 @@
     reason = "each test binary uses its own part of this module"
 )]
 
+pub mod by_hand;
 pub mod four_bars;
 pub mod grown;
 pub mod multipliers;
 pub mod oracle;
+pub mod probe;
 pub mod random;
 
 use flexure_model_dsl::model::{BodyId, BodyKind, Model};
@@ -148,4 +150,14 @@ impl Compiled {
             .map(|contact| self.oracle.state(&format!("{}.z", contact.name)))
             .collect()
     }
+}
+
+/// Fails where a value is farther from the expected one than a part of it.
+pub fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
+    let error = (value - expected).abs() / expected.abs();
+    println!("{what}: {value:.17e}, expected {expected:.17e}, relative error {error:.1e}");
+    assert!(
+        error <= tolerance,
+        "{what}: {value:e}, expected {expected:e}, relative error {error:e}"
+    );
 }
