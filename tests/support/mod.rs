@@ -16,6 +16,7 @@ pub mod multipliers;
 pub mod oracle;
 pub mod probe;
 pub mod random;
+pub mod twin;
 
 use flexure_model_dsl::model::{BodyId, BodyKind, Model};
 use flexure_model_dsl::source::Source;
