@@ -3,7 +3,8 @@
 //! What shares what: `multipliers` takes from the compiler the resolved model and nothing after
 //! it; `oracle` follows the derived equations; a test that compares the two therefore checks
 //! structure, closing of loops, derivation and energies at once, and would not see a mistake in
-//! the reading of a model file alone, for which the parser has tests of its own.
+//! the reading of a model file alone, for which the parser has tests of its own. `by_hand` shares
+//! nothing, not even that.
 #![allow(
     dead_code,
     reason = "each test binary uses its own part of this module"
