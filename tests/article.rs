@@ -4,16 +4,7 @@
 mod support;
 
 use flexure_runtime::simulate::simulate;
-use support::{Compiled, compile, shipped, shipped_text, tape};
-
-fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
-    let error = (value - expected).abs() / expected.abs();
-    println!("{what}: {value:.17e}, expected {expected:.17e}, relative error {error:.1e}");
-    assert!(
-        error <= tolerance,
-        "{what}: {value:e}, expected {expected:e}, relative error {error:e}"
-    );
-}
+use support::{Compiled, assert_close, compile, shipped, shipped_text, tape};
 
 /// Kinetic energy at unit rate of the crank, twice: A.
 fn inertia(compiled: &Compiled) -> f64 {

@@ -3,17 +3,21 @@
 //! What shares what: `multipliers` takes from the compiler the resolved model and nothing after
 //! it; `oracle` follows the derived equations; a test that compares the two therefore checks
 //! structure, closing of loops, derivation and energies at once, and would not see a mistake in
-//! the reading of a model file alone, for which the parser has tests of its own.
+//! the reading of a model file alone, for which the parser has tests of its own. `by_hand` shares
+//! nothing, not even that.
 #![allow(
     dead_code,
     reason = "each test binary uses its own part of this module"
 )]
 
+pub mod by_hand;
 pub mod four_bars;
 pub mod grown;
 pub mod multipliers;
 pub mod oracle;
+pub mod probe;
 pub mod random;
+pub mod twin;
 
 use flexure_model_dsl::model::{BodyId, Model};
 use flexure_model_dsl::source::Source;
@@ -141,4 +145,14 @@ impl Compiled {
             .map(|contact| self.oracle.state(&format!("{}.z", contact.name)))
             .collect()
     }
+}
+
+/// Fails where a value is farther from the expected one than a part of it.
+pub fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
+    let error = (value - expected).abs() / expected.abs();
+    println!("{what}: {value:.17e}, expected {expected:.17e}, relative error {error:.1e}");
+    assert!(
+        error <= tolerance,
+        "{what}: {value:e}, expected {expected:e}, relative error {error:e}"
+    );
 }

@@ -46,6 +46,9 @@ pub struct Place {
     pub x: Vec<f64>,
     pub d: Vec<f64>,
     pub u: Vec<f64>,
+    /// Drawn from the widest range: angles half a radian, rates tens of radians per second about
+    /// the start, or at least a tenth of that.
+    pub far: bool,
 }
 
 /// Random places about the start of `system`: near and far, for angles up to half a radian.
@@ -58,9 +61,10 @@ pub fn places(system: &dyn System, count: usize, seed: u64) -> Vec<Place> {
     system.start(&mut x0, &mut d0);
     (0..count)
         .map(|_| {
-            let reach = 10f64.powf(3.0 * random.signed() - 3.0);
+            let reach = random.scale(1e-6, 1.0);
             Place {
-                t: 1e-3 * random.signed().abs(),
+                t: random.between(0.0, 1e-3),
+                far: reach > 0.1,
                 x: x0
                     .iter()
                     .zip(system.states())
@@ -72,18 +76,22 @@ pub fn places(system: &dyn System, count: usize, seed: u64) -> Vec<Place> {
                             "m/s" => 0.1,
                             _ => 30.0,
                         };
-                        x + random.signed() * scale * reach.min(1.0)
+                        x + random.between(-1.0, 1.0) * scale * reach
                     })
                     .collect(),
                 d: d0
                     .iter()
                     .zip(system.discretes())
                     .map(|(d, row)| match row.unit.as_ref() {
-                        "rad" => d + 0.1 * random.signed(),
-                        _ => d + f64::from(u8::from(random.signed() > 0.0)),
+                        "rad" => d + 0.1 * random.between(-1.0, 1.0),
+                        _ => d + f64::from(u8::from(random.between(-1.0, 1.0) > 0.0)),
                     })
                     .collect(),
-                u: system.inputs().iter().map(|_| random.signed()).collect(),
+                u: system
+                    .inputs()
+                    .iter()
+                    .map(|_| random.between(-1.0, 1.0))
+                    .collect(),
             }
         })
         .collect()
@@ -103,9 +111,9 @@ pub fn compare(equations: &Equations, params: &[f64], system: &dyn System, state
     let mut assembled = vec![0.0; equations.loops.len()];
     let held = vec![0.0; equations.inputs.len()];
     system.closures(0.0, &x0, &d0, &held, &mut assembled);
-    let (mut skipped, mut open) = (0, 0);
+    let (mut skipped, mut open, mut moved) = (0, 0, 0);
     for place in places(system, states, 7) {
-        let Place { t, x, d, u } = &place;
+        let Place { t, x, d, u, far } = &place;
         let t = *t;
         oracle.place(t, x, d, u);
         let mut out = vec![0.0; equations.loops.len()];
@@ -116,6 +124,7 @@ pub fn compare(equations: &Equations, params: &[f64], system: &dyn System, state
             open += 1;
             continue;
         }
+        moved += usize::from(*far);
         let mut out = vec![0.0; x.len()];
         system.rhs(t, x, d, u, &mut out);
         let rates: Vec<Expr> = equations.states.iter().map(|s| s.rate).collect();
@@ -190,8 +199,12 @@ pub fn compare(equations: &Equations, params: &[f64], system: &dyn System, state
         }
     }
     println!(
-        "{}: {states} states, {open} of them do not close, {skipped} values ill conditioned",
+        "{}: {states} states, {moved} far from the start, {open} do not close, {skipped} values ill conditioned",
         equations.name
     );
     assert!(2 * open < states, "most states do not close");
+    assert!(
+        20 * moved > states,
+        "hardly any state is far from the start"
+    );
 }

@@ -6,4 +6,5 @@ pub mod agreement;
 pub mod handmade;
 pub mod models;
 pub mod oracle;
+#[path = "../../../tests/support/random.rs"]
 pub mod random;
