@@ -53,6 +53,8 @@ pub struct Model {
     pub contacts: Vec<Contact>,
     /// Written-out forces and torques.
     pub loads: Vec<Load>,
+    /// What must hold of quantities of params, each with where it was given.
+    pub conditions: Vec<(Condition, Span)>,
     /// Acceleration of gravity in m/s², of params.
     pub gravity: Option<[Expr; 2]>,
     /// Coordinates that the user asked for.
@@ -101,6 +103,7 @@ impl Model {
             springs: Vec::new(),
             contacts: Vec::new(),
             loads: Vec::new(),
+            conditions: Vec::new(),
             gravity: None,
             coordinates: Vec::new(),
             initial: Vec::new(),

@@ -67,6 +67,16 @@ pub fn resolve(
         }
         resolver.report(problem.span, diagnostic);
     }
+    for name in expanded.unused {
+        resolver.warning(
+            name.span,
+            format!(
+                "no part is made of the component `{}`, so nothing in it is checked",
+                name.text
+            ),
+            format!("write `part NAME = {}(…)`, or remove it", name.text),
+        );
+    }
     resolver.partial = resolver.failed();
     resolver.run(&expanded.file);
     resolver.finish()
@@ -74,9 +84,6 @@ pub fn resolve(
 
 /// Most diagnostics that are reported for one file.
 const MOST_DIAGNOSTICS: usize = 50;
-
-/// Most parts and turns in each other that one diagnostic names.
-const MOST_LEVELS: usize = 6;
 
 /// Something of the file that failed was reported; carry on without it.
 struct Reported;
@@ -216,7 +223,6 @@ impl<'a> Resolver<'a> {
         if self.full() {
             return;
         }
-        let within: Vec<(Span, String)> = self.model.source.within(span);
         if let Some(copy) = self.model.source.copy(span) {
             let written = self.model.source.written(span);
             let key = (written, diagnostic.severity);
@@ -224,9 +230,7 @@ impl<'a> Resolver<'a> {
                 return;
             }
         }
-        for (reason, label) in within.into_iter().take(MOST_LEVELS) {
-            diagnostic = diagnostic.related(self.site(reason), label);
-        }
+        diagnostic.related.extend(self.model.source.origins(span));
         self.diagnostics.push((span, diagnostic));
     }
 
