@@ -117,6 +117,20 @@ impl Model {
     }
 }
 
+impl Model {
+    /// What a bare name of a `let` stands for; any other expression is itself.
+    pub(crate) fn named_by(&self, expr: Expr) -> Expr {
+        let mut expr = expr;
+        // A `let` uses only what is before it.
+        for known in self.lets.iter().rev() {
+            if self.graph.as_symbol(expr) == Some(known.symbol) {
+                expr = known.value;
+            }
+        }
+        expr
+    }
+}
+
 /// Something that was assumed: `crank` `has the inertia of a slender bar`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {

@@ -148,7 +148,7 @@ pub(super) fn unjoined(model: &Model, bodies: &[BodyId]) -> Diagnostic {
                 "{names} {verb} joined to ground by no pin or guide, only held by {}",
                 listed(&held)
             ),
-            "pin it to ground; or let it float on two massless slides: \
+            "let an end of it be a `ground` point, or a point of a body that is joined to ground; or let it float on two massless slides: \
              `slide X along (1, 0)`, `slide Y on X along (0, 1)`, `point P on Y at (0 mm, 0 mm)`, \
              and let it have an end in `P`"
                 .to_owned(),

@@ -509,7 +509,7 @@ impl<'m> Search<'m> {
             return None;
         }
         let length = |body: BodyId| match &self.model.bodies[body].kind {
-            BodyKind::Link(link) => Some(link.length),
+            BodyKind::Link(link) => Some(self.model.named_by(link.length)),
             BodyKind::Slide(_) | BodyKind::Ground => None,
         };
         let closes = |candidate: &BodyId| {

@@ -79,10 +79,11 @@ impl Derivation<'_> {
             return None;
         }
         let turned = (known.quarter + 4 - unknown.quarter) % 4;
-        let opposite = self.g.neg(known.magnitude);
-        let quarter = if unknown.magnitude == opposite {
+        let [own, other] = [unknown, known].map(|part| self.in_params(part.magnitude));
+        let opposite = self.g.neg(other);
+        let quarter = if own == opposite {
             turned
-        } else if unknown.magnitude == known.magnitude {
+        } else if own == other {
             (turned + 2) % 4
         } else {
             return None;
@@ -205,7 +206,11 @@ impl Derivation<'_> {
 
     /// A loop with fewer than two unknowns must hold by itself.
     pub(super) fn redundant(&mut self, way: &Way, unknown: Option<BodyId>) {
-        let sum = self.around(way);
+        let mut sum = self.around(way);
+        sum.retain(|part| {
+            let size = self.in_params(part.magnitude);
+            !self.g.is_zero(size)
+        });
         let holds = match unknown {
             None => sum.is_empty(),
             Some(body) => match sum.as_slice() {
@@ -271,16 +276,19 @@ impl Derivation<'_> {
         if a.slide.is_some() || b.slide.is_some() {
             return None;
         }
-        let opposite = self.g.neg(b.magnitude);
-        if a.magnitude == b.magnitude || a.magnitude == opposite {
+        if self.are_equal(a, b) {
             return None;
         }
         let [one, other] = [a, b].map(|part| self.by_default(part.magnitude).abs());
         if !((one - other).abs() <= 1e-9 * one) {
             return None;
         }
-        let written = |this: &Self, part: &Turned| {
-            let symbol = this.g.as_symbol(part.magnitude);
+        let written = |this: &mut Self, part: &Turned| {
+            let opposite = this.g.neg(part.magnitude);
+            let symbol = this
+                .g
+                .as_symbol(part.magnitude)
+                .or(this.g.as_symbol(opposite));
             let link = part.link.map(|link| &this.model.bodies[link].name);
             match (symbol, link) {
                 (Some(symbol), _) => format!("`{}`", this.g.symbol_text(symbol)),
@@ -295,6 +303,11 @@ impl Derivation<'_> {
         ))
     }
 
+    fn are_equal(&mut self, a: &Turned, b: &Turned) -> bool {
+        let [a, b] = [a, b].map(|part| self.in_params(part.magnitude));
+        a == b || a == self.g.neg(b)
+    }
+
     /// The opposite sides of a loop that are equal in value only, if each side has its opposite.
     pub(super) fn nearly_parallelogram(&mut self, sum: &[Turned]) -> Option<String> {
         let [a, b, c, d] = sum else {
@@ -302,8 +315,7 @@ impl Derivation<'_> {
         };
         let mut said = Vec::new();
         for [one, other] in [[a, c], [b, d]] {
-            let opposite = self.g.neg(other.magnitude);
-            let is_same = one.magnitude == other.magnitude || one.magnitude == opposite;
+            let is_same = self.are_equal(one, other);
             match self.equal_in_value(one, other) {
                 Some(equal) => said.push(equal),
                 None if is_same && one.slide.is_none() && other.slide.is_none() => {}

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use crate::equations::{Direction, Discrete, Line, Loop, Shown, ShownUnit};
+use crate::model::{BodyId, Pin};
 use crate::structure::{Way, bodies_named, coordinate_named, turning_link};
 use crate::symbolic::{Expr, Function, Symbol};
 
@@ -294,6 +295,9 @@ impl Derivation<'_> {
         let bodies = dyad.unknowns.clone().map(|unknown| unknown.body);
         let [a, b] = bodies.map(|body| &self.model.bodies[body].name);
         match dyad.unknowns.clone().map(|unknown| unknown.kind) {
+            [Kind::Angle, Kind::Angle] if self.are_pinned(bodies) => {
+                format!("the joints of `{a}` and `{b}` lie in one line")
+            }
             [Kind::Angle, Kind::Angle] => {
                 format!("the joints of `{a}` and of `{b}` lie in parallel lines")
             }
@@ -303,6 +307,13 @@ impl Derivation<'_> {
             [Kind::Angle, Kind::Position] => format!("`{a}` stands square to the guide of `{b}`"),
             [Kind::Position, Kind::Angle] => format!("`{b}` stands square to the guide of `{a}`"),
         }
+    }
+
+    fn are_pinned(&self, bodies: [BodyId; 2]) -> bool {
+        let on = |body: &BodyId, pin: &Pin| pin.members.iter().any(|(member, _)| member == body);
+        let pins = &self.model.pins;
+        pins.iter()
+            .any(|pin| bodies.iter().all(|body| on(body, pin)))
     }
 
     fn out_of_dead_point(&mut self, dyad: &Dyad<'_>) -> String {
