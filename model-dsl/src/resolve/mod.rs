@@ -67,7 +67,13 @@ pub fn resolve(
         }
         resolver.report(problem.span, diagnostic);
     }
-    for name in expanded.unused {
+    // A part that was not understood may have been one of it.
+    let unused = if resolver.failed() {
+        Vec::new()
+    } else {
+        expanded.unused
+    };
+    for name in unused {
         resolver.warning(
             name.span,
             format!(

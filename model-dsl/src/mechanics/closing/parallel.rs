@@ -280,9 +280,6 @@ impl Derivation<'_> {
             return None;
         }
         let [one, other] = [a, b].map(|part| self.by_default(part.magnitude).abs());
-        if !((one - other).abs() <= 1e-9 * one) {
-            return None;
-        }
         let written = |this: &mut Self, part: &Turned| {
             let opposite = this.g.neg(part.magnitude);
             let symbol = this
@@ -296,11 +293,14 @@ impl Derivation<'_> {
                 (None, None) => "the distance on ground".to_owned(),
             }
         };
-        Some(format!(
-            "{} and {} are equal in their present values only",
-            written(self, a),
-            written(self, b)
-        ))
+        let is_near = (one - other).abs() <= 1e-9 * one;
+        is_near.then(|| {
+            format!(
+                "{} and {} are equal in their present values only",
+                written(self, a),
+                written(self, b)
+            )
+        })
     }
 
     fn are_equal(&mut self, a: &Turned, b: &Turned) -> bool {
