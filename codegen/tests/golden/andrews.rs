@@ -2621,6 +2621,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2635,6 +2636,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2649,6 +2651,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2663,6 +2666,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2677,6 +2681,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2691,6 +2696,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2705,6 +2711,7 @@ pub mod andrews {
                     "link lever      from B to E { length = ss, angle = -1.12, mass = m3, com = (sa, sb), inertia = I3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2719,6 +2726,7 @@ pub mod andrews {
                     "link lever      from B to E { length = ss, angle = -1.12, mass = m3, com = (sa, sb), inertia = I3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2733,6 +2741,7 @@ pub mod andrews {
                     "link lever      from B to E { length = ss, angle = -1.12, mass = m3, com = (sa, sb), inertia = I3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2747,6 +2756,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2761,6 +2771,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2775,6 +2786,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2789,6 +2801,7 @@ pub mod andrews {
                     "link upper_arm  from A to G { length = zt, angle = 0.49,  mass = m5, com = (ta, tb), inertia = I5, symbol = δ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2803,6 +2816,7 @@ pub mod andrews {
                     "link upper_arm  from A to G { length = zt, angle = 0.49,  mass = m5, com = (ta, tb), inertia = I5, symbol = δ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2817,6 +2831,7 @@ pub mod andrews {
                     "link upper_arm  from A to G { length = zt, angle = 0.49,  mass = m5, com = (ta, tb), inertia = I5, symbol = δ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2831,6 +2846,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2845,6 +2861,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2859,6 +2876,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2873,6 +2891,7 @@ pub mod andrews {
                     "link lower_arm  from A to H { length = u,  angle = -0.34, mass = m7, com = (ua, ub), inertia = I7, symbol = φ7 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2887,6 +2906,7 @@ pub mod andrews {
                     "link lower_arm  from A to H { length = u,  angle = -0.34, mass = m7, com = (ua, ub), inertia = I7, symbol = φ7 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2901,6 +2921,7 @@ pub mod andrews {
                     "link lower_arm  from A to H { length = u,  angle = -0.34, mass = m7, com = (ua, ub), inertia = I7, symbol = φ7 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2921,15 +2942,16 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lever stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–lever stands at a dead point: at `crank` angle {3} the joints of `coupler` and `lever` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2941,6 +2963,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2961,15 +2984,16 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–upper–upper_arm stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–upper–upper_arm stands at a dead point: at `crank` angle {3} the joints of `upper` and `upper_arm` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `upper.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2981,6 +3005,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -3001,15 +3026,16 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lower–lower_arm stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–lower–lower_arm stands at a dead point: at `crank` angle {3} the joints of `lower` and `lower_arm` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `lower.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -3021,6 +3047,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -3039,6 +3066,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -1068,6 +1068,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1082,6 +1083,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1096,6 +1098,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1110,6 +1113,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1124,6 +1128,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1138,6 +1143,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1152,6 +1158,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1166,6 +1173,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1180,6 +1188,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1194,6 +1203,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1208,6 +1218,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1222,6 +1233,7 @@ pub mod bridge_amplifier {
                     "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1236,6 +1248,7 @@ pub mod bridge_amplifier {
                     "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1250,6 +1263,7 @@ pub mod bridge_amplifier {
                     "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1264,6 +1278,7 @@ pub mod bridge_amplifier {
                     "slide table along (0, 1) through (0 mm, 0 mm) { mass = mo, at = 2 * height }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1282,15 +1297,16 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop lower_left–upper_left–table stands at a dead point: at `lower_left` angle {1} two of its links lie in one line",
+                "the loop lower_left–upper_left–table stands at a dead point: at `lower_left` angle {1} `upper_left` stands square to the guide of `table`",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `upper_left.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1302,6 +1318,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1314,6 +1331,7 @@ pub mod bridge_amplifier {
                 width: 9,
                 excerpt: Cow::Borrowed("drive extension = sine(stroke, frequency = f)"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1332,6 +1350,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -771,6 +771,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -785,6 +786,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -799,6 +801,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -813,6 +816,7 @@ pub mod double_parallelogram_stage {
                     "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -827,6 +831,7 @@ pub mod double_parallelogram_stage {
                     "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -841,6 +846,7 @@ pub mod double_parallelogram_stage {
                     "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -855,6 +861,7 @@ pub mod double_parallelogram_stage {
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -869,6 +876,7 @@ pub mod double_parallelogram_stage {
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -883,6 +891,7 @@ pub mod double_parallelogram_stage {
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -897,6 +906,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -911,6 +921,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -925,6 +936,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -939,6 +951,7 @@ pub mod double_parallelogram_stage {
                     "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -953,6 +966,7 @@ pub mod double_parallelogram_stage {
                     "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -967,6 +981,7 @@ pub mod double_parallelogram_stage {
                     "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -981,6 +996,7 @@ pub mod double_parallelogram_stage {
                     "link stage       from P1 to P2 { length = inner, angle =   0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -995,6 +1011,7 @@ pub mod double_parallelogram_stage {
                     "link stage       from P1 to P2 { length = inner, angle =   0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1009,6 +1026,7 @@ pub mod double_parallelogram_stage {
                     "link stage       from P1 to P2 { length = inner, angle =   0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1027,6 +1045,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1045,6 +1064,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

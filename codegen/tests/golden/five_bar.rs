@@ -1645,6 +1645,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1659,6 +1660,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1673,6 +1675,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1687,6 +1690,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1701,6 +1705,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1715,6 +1720,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1729,6 +1735,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1743,6 +1750,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1757,6 +1765,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1771,6 +1780,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1785,6 +1795,7 @@ pub mod five_bar {
                     "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1799,6 +1810,7 @@ pub mod five_bar {
                     "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1813,6 +1825,7 @@ pub mod five_bar {
                     "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1833,15 +1846,16 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop left_crank–left_coupler–right_coupler–right_crank stands at a dead point: at `left_crank` angle {3} two of its links lie in one line",
+                "the loop left_crank–left_coupler–right_coupler–right_crank stands at a dead point: at `left_crank` angle {3} the joints of `left_coupler` and `right_coupler` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `left_coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1853,6 +1867,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1871,6 +1886,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1889,6 +1905,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

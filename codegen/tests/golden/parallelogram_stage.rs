@@ -547,6 +547,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -561,6 +562,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -575,6 +577,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -589,6 +592,7 @@ pub mod parallelogram_stage {
                     "link right from G2 to P2 { length = l,   angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -603,6 +607,7 @@ pub mod parallelogram_stage {
                     "link right from G2 to P2 { length = l,   angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -617,6 +622,7 @@ pub mod parallelogram_stage {
                     "link right from G2 to P2 { length = l,   angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -631,6 +637,7 @@ pub mod parallelogram_stage {
                     "link stage from P1 to P2 { length = gap, angle =  0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -645,6 +652,7 @@ pub mod parallelogram_stage {
                     "link stage from P1 to P2 { length = gap, angle =  0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -659,6 +667,7 @@ pub mod parallelogram_stage {
                     "link stage from P1 to P2 { length = gap, angle =  0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -677,6 +686,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

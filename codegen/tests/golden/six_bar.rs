@@ -1851,6 +1851,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1865,6 +1866,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1879,6 +1881,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1893,6 +1896,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1907,6 +1911,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1921,6 +1926,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1935,6 +1941,7 @@ pub mod six_bar {
                     "link rocker  from O2 to B { length = l3, angle = 87 deg,  mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1949,6 +1956,7 @@ pub mod six_bar {
                     "link rocker  from O2 to B { length = l3, angle = 87 deg,  mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1963,6 +1971,7 @@ pub mod six_bar {
                     "link rocker  from O2 to B { length = l3, angle = 87 deg,  mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1977,6 +1986,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1991,6 +2001,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2005,6 +2016,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2019,6 +2031,7 @@ pub mod six_bar {
                     "link output_rocker from O3 to D { length = l6, angle = 111 deg, mass = m6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2033,6 +2046,7 @@ pub mod six_bar {
                     "link output_rocker from O3 to D { length = l6, angle = 111 deg, mass = m6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2047,6 +2061,7 @@ pub mod six_bar {
                     "link output_rocker from O3 to D { length = l6, angle = 111 deg, mass = m6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2067,15 +2082,16 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} the joints of `coupler` and `rocker` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2087,6 +2103,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2107,15 +2124,16 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–connector–output_rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–connector–output_rocker stands at a dead point: at `crank` angle {3} the joints of `connector` and `output_rocker` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `connector.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2127,6 +2145,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2145,6 +2164,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

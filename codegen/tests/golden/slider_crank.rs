@@ -898,6 +898,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -912,6 +913,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -926,6 +928,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -940,6 +943,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -954,6 +958,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -968,6 +973,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -982,6 +988,7 @@ pub mod slider_crank {
                     "slide piston along (1, 0) through (0 mm, offset) { mass = ms, at = 52 mm }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1000,15 +1007,16 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–rod–piston stands at a dead point: at `crank` angle {1} two of its links lie in one line",
+                "the loop crank–rod–piston stands at a dead point: at `crank` angle {1} `rod` stands square to the guide of `piston`",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `rod.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1020,6 +1028,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1038,6 +1047,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

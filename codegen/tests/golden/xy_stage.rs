@@ -946,6 +946,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -960,6 +961,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -974,6 +976,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -988,6 +991,7 @@ pub mod xy_stage {
                     "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1002,6 +1006,7 @@ pub mod xy_stage {
                     "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1016,6 +1021,7 @@ pub mod xy_stage {
                     "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1030,6 +1036,7 @@ pub mod xy_stage {
                     "link frame from F1 to F2 { length = w, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1044,6 +1051,7 @@ pub mod xy_stage {
                     "link frame from F1 to F2 { length = w, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1058,6 +1066,7 @@ pub mod xy_stage {
                     "link frame from F1 to F2 { length = w, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1072,6 +1081,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1086,6 +1096,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1100,6 +1111,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1114,6 +1126,7 @@ pub mod xy_stage {
                     "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1128,6 +1141,7 @@ pub mod xy_stage {
                     "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1142,6 +1156,7 @@ pub mod xy_stage {
                     "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1156,6 +1171,7 @@ pub mod xy_stage {
                     "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1170,6 +1186,7 @@ pub mod xy_stage {
                     "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1184,6 +1201,7 @@ pub mod xy_stage {
                     "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1196,6 +1214,7 @@ pub mod xy_stage {
                 width: 2,
                 excerpt: Cow::Borrowed("drive ux = sine(stroke, frequency = fx)"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1208,6 +1227,7 @@ pub mod xy_stage {
                 width: 2,
                 excerpt: Cow::Borrowed("drive uy = sine(stroke, frequency = fy)"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1226,6 +1246,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1244,6 +1265,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];
