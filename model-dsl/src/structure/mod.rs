@@ -12,6 +12,7 @@
 //! A link brings one variable, its angle; a slide one, its position on its guide; both turn into
 //! two equations for each loop, because a place is a sum of turned vectors. The steps are taken in
 //! the order above until every body is placed, so each loop has the fewest bodies that can close it.
+//! What is wrong on the way is said by `faults`, with the bodies and joints involved.
 
 mod faults;
 mod search;
@@ -448,44 +449,37 @@ fn dependent(
     asked: &[BodyId],
     by_counting: bool,
 ) -> Option<Diagnostic> {
+    let mut own = model.coordinates.iter().filter(|request| {
+        asked.contains(&request.body) && component.bodies.contains(&request.body)
+    });
+    let mut request = own.next()?;
     let mut search = Search::new(model);
     search.look_at(&component.bodies);
     search.proceed();
     let mut leaders: Vec<BodyId> = Vec::new();
-    for request in &model.coordinates {
-        let body = request.body;
-        let is_own = asked.contains(&body) && component.bodies.contains(&body);
-        if !is_own || leaders.contains(&body) {
-            continue;
-        }
-        let around = if search.is_known(body) {
-            search.around(body)
-        } else if by_counting && !search.can_spare(&component.bodies, body) {
-            component.bodies.clone()
-        } else {
-            search.learn(body);
-            search.proceed();
-            leaders.push(body);
-            continue;
-        };
-        let in_loop: Vec<BodyId> = leaders
-            .iter()
-            .copied()
-            .filter(|leader| around.contains(leader))
-            .collect();
-        let leaders = if in_loop.is_empty() {
-            &leaders
-        } else {
-            &in_loop
-        };
-        return Some(faults::follows(
-            model,
-            (body, request.span),
-            &around,
-            leaders,
-        ));
+    while leaders.contains(&request.body)
+        || !search.is_known(request.body)
+            && (!by_counting || search.can_spare(&component.bodies, request.body))
+    {
+        search.learn(request.body);
+        search.proceed();
+        leaders.push(request.body);
+        request = own.next()?;
     }
-    None
+    if leaders.is_empty() {
+        // No coordinate at all is free: that is another fault.
+        return None;
+    }
+    let around = if search.is_known(request.body) {
+        search.around(request.body)
+    } else {
+        component.bodies.clone()
+    };
+    if leaders.iter().any(|leader| around.contains(leader)) {
+        leaders.retain(|leader| around.contains(leader));
+    }
+    let asked_for = (request.body, request.span);
+    Some(faults::follows(model, asked_for, &around, &leaders))
 }
 
 /// `crank–coupler–rocker`.
