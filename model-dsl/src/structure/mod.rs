@@ -475,6 +475,7 @@ fn dependent(
     } else {
         component.bodies.clone()
     };
+    leaders.dedup();
     if leaders.iter().any(|leader| around.contains(leader)) {
         leaders.retain(|leader| around.contains(leader));
     }
