@@ -127,6 +127,7 @@ fn four_bar() -> (Model, Vec<f64>) {
         springs: Vec::new(),
         contacts: Vec::new(),
         loads: Vec::new(),
+        conditions: Vec::new(),
         gravity: Some(gravity),
         coordinates: Vec::new(),
         initial: Vec::new(),

@@ -55,3 +55,34 @@ fn of_wrong_names_and_units() {
         &["lenght = 1 mm", "length = 3 N", "length = long", "length"],
     ));
 }
+
+/// Models of `tests/unfit`: well written, but with the values that they hold no mechanism.
+#[test]
+fn of_drawings() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/unfit");
+    let mut paths: Vec<_> = std::fs::read_dir(&folder)
+        .expect("the folder is there")
+        .map(|entry| entry.expect("it can be read").path())
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "flex")
+        })
+        .collect();
+    paths.sort();
+    let mut listing = String::new();
+    for path in paths {
+        let text = std::fs::read_to_string(&path).expect("it can be read");
+        let name = path
+            .file_name()
+            .expect("a file has a name")
+            .to_string_lossy();
+        let model = Model::from_source(&name, &text).expect("a well written model");
+        let said = match model.design().prepare() {
+            Ok(_) => panic!("`{name}` is a good drawing"),
+            Err(diagnostic) => diagnostic,
+        };
+        writeln!(listing, "{}\n{said}\n", text.lines().next().unwrap_or(""))
+            .expect("text has no end");
+    }
+    insta::assert_snapshot!(listing);
+}

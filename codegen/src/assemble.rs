@@ -225,6 +225,11 @@ fn message(failure: &equations::Failure, all: &mut dyn FnMut(&[Expr]) -> Vec<Val
             message: failure.message.clone().into(),
             hint: failure.hint.clone().map(Into::into),
             site: failure.site.clone(),
+            related: failure
+                .related
+                .iter()
+                .map(|(site, label)| (site.clone(), label.clone().into()))
+                .collect(),
             units: failure
                 .values
                 .iter()

@@ -22,8 +22,25 @@ pub fn compile(
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<(Equations, Vec<Diagnostic>), Vec<Diagnostic>> {
     let (model, mut warnings) = resolve(source, files)?;
-    let structure = structure(&model)?;
-    let equations = derive(&model, &structure)?;
-    warnings.extend(equations.warnings.iter().cloned());
+    let structure = structure(&model).map_err(once_each)?;
+    let equations = derive(&model, &structure).map_err(once_each)?;
+    warnings.extend(once_each(equations.warnings.clone()));
     Ok((equations, warnings))
+}
+
+/// What is wrong in the same way with several copies of one place is told of the first.
+fn once_each(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut told: Vec<Diagnostic> = Vec::new();
+    diagnostics.retain(|diagnostic| {
+        let is_copy = |earlier: &Diagnostic| {
+            !earlier.related.is_empty()
+                && (&earlier.site, &earlier.hint) == (&diagnostic.site, &diagnostic.hint)
+        };
+        let is_new = !told.iter().any(is_copy);
+        if is_new {
+            told.push(diagnostic.clone());
+        }
+        is_new
+    });
+    diagnostics
 }

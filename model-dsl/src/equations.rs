@@ -106,6 +106,8 @@ pub struct Failure {
     pub hint: Option<String>,
     /// Where.
     pub site: Option<Site>,
+    /// Parts and turns of a `repeat` that bring the place there, each with what it is called.
+    pub related: Vec<(Site, String)>,
     /// What fills the holes.
     pub values: Vec<Shown>,
 }

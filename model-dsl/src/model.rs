@@ -53,6 +53,8 @@ pub struct Model {
     pub contacts: Vec<Contact>,
     /// Written-out forces and torques.
     pub loads: Vec<Load>,
+    /// What must hold of quantities of params, each with where it was given.
+    pub conditions: Vec<(Condition, Span)>,
     /// Acceleration of gravity in m/s², of params.
     pub gravity: Option<[Expr; 2]>,
     /// Coordinates that the user asked for.
@@ -101,6 +103,7 @@ impl Model {
             springs: Vec::new(),
             contacts: Vec::new(),
             loads: Vec::new(),
+            conditions: Vec::new(),
             gravity: None,
             coordinates: Vec::new(),
             initial: Vec::new(),
@@ -134,6 +137,18 @@ impl Model {
     /// Whether a body stands for the coordinate of a point instead of a part of the mechanism.
     pub fn is_traced(&self, body: BodyId) -> bool {
         matches!(&self.bodies[body].kind, BodyKind::Slide(slide) if slide.traces.is_some())
+    }
+
+    /// What a bare name of a `let` stands for; any other expression is itself.
+    pub(crate) fn named_by(&self, expr: Expr) -> Expr {
+        let mut expr = expr;
+        // A `let` uses only what is before it.
+        for known in self.lets.iter().rev() {
+            if self.graph.as_symbol(expr) == Some(known.symbol) {
+                expr = known.value;
+            }
+        }
+        expr
     }
 }
 

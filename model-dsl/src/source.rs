@@ -1,6 +1,9 @@
 //! Model files as text, and places in them.
 
-use flexure_runtime::diagnostic::Site;
+use flexure_runtime::diagnostic::{Diagnostic, Site};
+
+/// Parts inside parts that a message names, from the inside.
+const MOST_LEVELS: usize = 6;
 
 /// A stretch of a source: byte offsets, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -138,6 +141,23 @@ impl Source {
             place = copy.reason.start;
         }
         reasons
+    }
+
+    /// Places of the parts and turns of a `repeat` that bring `span`, each with what it is called,
+    /// from the inside.
+    pub fn origins(&self, span: Span) -> Vec<(Site, String)> {
+        self.within(span)
+            .into_iter()
+            .take(MOST_LEVELS)
+            .map(|(reason, label)| (self.site(reason), label))
+            .collect()
+    }
+
+    /// The diagnostic at `span`, and at each part and turn of a `repeat` that brings it.
+    pub fn blame(&self, span: Span, diagnostic: Diagnostic) -> Diagnostic {
+        let mut diagnostic = diagnostic.at(self.site(span));
+        diagnostic.related.extend(self.origins(span));
+        diagnostic
     }
 
     /// The file in which a written stretch stands, its text, and the stretch in it.

@@ -30,6 +30,8 @@ pub struct Failure {
     pub hint: Option<Cow<'static, str>>,
     /// Where.
     pub site: Option<Site>,
+    /// Parts and turns of a `repeat` that bring the place there, each with what it is called.
+    pub related: Cow<'static, [(Site, Cow<'static, str>)]>,
     /// Units of the values.
     pub units: Cow<'static, [Unit]>,
 }
@@ -39,6 +41,9 @@ impl Failure {
     pub fn diagnostic(&self, values: &[f64]) -> Diagnostic {
         let mut diagnostic = Diagnostic::error(render(&self.message, values, &self.units));
         diagnostic.site.clone_from(&self.site);
+        for (site, label) in self.related.iter() {
+            diagnostic = diagnostic.related(site.clone(), label.clone());
+        }
         diagnostic.hint = self
             .hint
             .as_ref()
@@ -78,7 +83,12 @@ pub fn render(template: &str, values: &[f64], units: &[Unit]) -> String {
 }
 
 /// A value with its unit, as a person would write it: four significant digits, SI prefix.
+///
+/// What is no finite number has no unit.
 pub fn quantity(value: f64, unit: Unit) -> String {
+    if !value.is_finite() {
+        return number(value);
+    }
     match unit {
         Unit::Number => number(value),
         Unit::Degree => format!("{}°", number(value.to_degrees())),
@@ -124,9 +134,9 @@ fn number(value: f64) -> String {
         return if value.is_nan() {
             "not a number".to_owned()
         } else if value > 0.0 {
-            "infinity".to_owned()
+            "larger than any number here can be".to_owned()
         } else {
-            "-infinity".to_owned()
+            "negative and larger than any number here can be".to_owned()
         };
     }
     let scientific = format!("{value:.3e}");
@@ -167,8 +177,12 @@ mod tests {
             (7.2e10, Unit::Other("Pa"), "72 GPa"),
             (3.6e6, Unit::Other("N/m"), "3.6e6 N/m"),
             (0.0, Unit::Metre, "0 m"),
-            (f64::INFINITY, Unit::Number, "infinity"),
-            (f64::NAN, Unit::Metre, "not a number m"),
+            (
+                f64::INFINITY,
+                Unit::Metre,
+                "larger than any number here can be",
+            ),
+            (f64::NAN, Unit::Metre, "not a number"),
             (0.99999, Unit::Number, "1"),
             (123456.0, Unit::Number, "123456"),
         ];

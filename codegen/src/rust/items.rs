@@ -235,27 +235,16 @@ fn failure(message: &Message) -> TokenStream {
         None => quote!(None),
     };
     let site = match &failure.site {
-        Some(Site {
-            file,
-            line,
-            column,
-            width,
-            excerpt,
-        }) => {
-            let (file, excerpt) = (file.as_ref(), excerpt.as_ref());
-            let [line, column, width] = [line, column, width].map(|n| unsuffixed(*n));
-            quote! {
-                Some(Site {
-                    file: Cow::Borrowed(#file),
-                    line: #line,
-                    column: #column,
-                    width: #width,
-                    excerpt: Cow::Borrowed(#excerpt),
-                })
-            }
+        Some(place) => {
+            let place = place_of(place);
+            quote!(Some(#place))
         }
         None => quote!(None),
     };
+    let related = failure.related.iter().map(|(place, label)| {
+        let (place, label) = (place_of(place), label.as_ref());
+        quote!((#place, Cow::Borrowed(#label)))
+    });
     let units = failure.units.iter().map(|unit| match unit {
         Unit::Number => quote!(Unit::Number),
         Unit::Degree => quote!(Unit::Degree),
@@ -267,7 +256,22 @@ fn failure(message: &Message) -> TokenStream {
             message: Cow::Borrowed(#text),
             hint: #hint,
             site: #site,
+            related: Cow::Borrowed(&[#(#related),*]),
             units: Cow::Borrowed(&[#(#units),*]),
+        }
+    }
+}
+
+fn place_of(site: &Site) -> TokenStream {
+    let (file, excerpt) = (site.file.as_ref(), site.excerpt.as_ref());
+    let [line, column, width] = [site.line, site.column, site.width].map(unsuffixed);
+    quote! {
+        Site {
+            file: Cow::Borrowed(#file),
+            line: #line,
+            column: #column,
+            width: #width,
+            excerpt: Cow::Borrowed(#excerpt),
         }
     }
 }

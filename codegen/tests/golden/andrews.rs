@@ -2626,6 +2626,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2640,6 +2641,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2654,6 +2656,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2668,6 +2671,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2682,6 +2686,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2696,6 +2701,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2710,6 +2716,7 @@ pub mod andrews {
                     "link lever      from B to E { length = ss, angle = -1.12, mass = m3, com = (sa, sb), inertia = I3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2724,6 +2731,7 @@ pub mod andrews {
                     "link lever      from B to E { length = ss, angle = -1.12, mass = m3, com = (sa, sb), inertia = I3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2738,6 +2746,7 @@ pub mod andrews {
                     "link lever      from B to E { length = ss, angle = -1.12, mass = m3, com = (sa, sb), inertia = I3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2752,6 +2761,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2766,6 +2776,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2780,6 +2791,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2794,6 +2806,7 @@ pub mod andrews {
                     "link upper_arm  from A to G { length = zt, angle = 0.49,  mass = m5, com = (ta, tb), inertia = I5, symbol = δ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2808,6 +2821,7 @@ pub mod andrews {
                     "link upper_arm  from A to G { length = zt, angle = 0.49,  mass = m5, com = (ta, tb), inertia = I5, symbol = δ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2822,6 +2836,7 @@ pub mod andrews {
                     "link upper_arm  from A to G { length = zt, angle = 0.49,  mass = m5, com = (ta, tb), inertia = I5, symbol = δ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2836,6 +2851,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2850,6 +2866,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2864,6 +2881,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2878,6 +2896,7 @@ pub mod andrews {
                     "link lower_arm  from A to H { length = u,  angle = -0.34, mass = m7, com = (ua, ub), inertia = I7, symbol = φ7 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2892,6 +2911,7 @@ pub mod andrews {
                     "link lower_arm  from A to H { length = u,  angle = -0.34, mass = m7, com = (ua, ub), inertia = I7, symbol = φ7 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2906,6 +2926,7 @@ pub mod andrews {
                     "link lower_arm  from A to H { length = u,  angle = -0.34, mass = m7, com = (ua, ub), inertia = I7, symbol = φ7 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2926,15 +2947,16 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lever stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–lever stands at a dead point: at `crank` angle {3} the joints of `coupler` and `lever` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2946,6 +2968,7 @@ pub mod andrews {
                     "link coupler    from E to F { length = d,  angle = -0.06, mass = m2, com = (d - da, 0 mm), inertia = I2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2966,15 +2989,16 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–upper–upper_arm stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–upper–upper_arm stands at a dead point: at `crank` angle {3} the joints of `upper` and `upper_arm` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `upper.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2986,6 +3010,7 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -3006,15 +3031,16 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lower–lower_arm stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–lower–lower_arm stands at a dead point: at `crank` angle {3} the joints of `lower` and `lower_arm` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `lower.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -3026,6 +3052,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -3044,6 +3071,7 @@ pub mod andrews {
                     "link crank      from O to F { length = rr, angle = beta0 exact, mass = m1, com = (ra, 0 mm), inertia = I1, symbol = β }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -1063,6 +1063,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1077,6 +1078,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1091,6 +1093,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1105,6 +1108,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1119,6 +1123,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1133,6 +1138,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1147,6 +1153,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1161,6 +1168,7 @@ pub mod bridge_amplifier {
                     "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1175,6 +1183,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1189,6 +1198,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1203,6 +1213,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1217,6 +1228,7 @@ pub mod bridge_amplifier {
                     "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1231,6 +1243,7 @@ pub mod bridge_amplifier {
                     "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1245,6 +1258,7 @@ pub mod bridge_amplifier {
                     "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1259,6 +1273,7 @@ pub mod bridge_amplifier {
                     "slide table along (0, 1) through (0 mm, 0 mm) { mass = mo, at = 2 * height }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1277,15 +1292,16 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop lower_left–upper_left–table stands at a dead point: at `lower_left` angle {1} two of its links lie in one line",
+                "the loop lower_left–upper_left–table stands at a dead point: at `lower_left` angle {1} `upper_left` stands square to the guide of `table`",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `upper_left.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1297,6 +1313,7 @@ pub mod bridge_amplifier {
                     "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1309,6 +1326,7 @@ pub mod bridge_amplifier {
                 width: 9,
                 excerpt: Cow::Borrowed("drive extension = sine(stroke, frequency = f)"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1327,6 +1345,7 @@ pub mod bridge_amplifier {
                     "link lower_left  from O to A { length = l, angle = 180 deg - rise, mass = ma, mass at A = mb, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

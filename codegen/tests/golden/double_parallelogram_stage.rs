@@ -751,6 +751,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -765,6 +766,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -779,6 +781,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -793,6 +796,7 @@ pub mod double_parallelogram_stage {
                     "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -807,6 +811,7 @@ pub mod double_parallelogram_stage {
                     "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -821,6 +826,7 @@ pub mod double_parallelogram_stage {
                     "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -835,6 +841,7 @@ pub mod double_parallelogram_stage {
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -849,6 +856,7 @@ pub mod double_parallelogram_stage {
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -863,6 +871,7 @@ pub mod double_parallelogram_stage {
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -877,6 +886,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -891,6 +901,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -905,6 +916,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -919,6 +931,7 @@ pub mod double_parallelogram_stage {
                     "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -933,6 +946,7 @@ pub mod double_parallelogram_stage {
                     "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -947,6 +961,7 @@ pub mod double_parallelogram_stage {
                     "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -961,6 +976,7 @@ pub mod double_parallelogram_stage {
                     "link stage       from P1 to P2 { length = inner, angle =   0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -975,6 +991,7 @@ pub mod double_parallelogram_stage {
                     "link stage       from P1 to P2 { length = inner, angle =   0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -989,6 +1006,7 @@ pub mod double_parallelogram_stage {
                     "link stage       from P1 to P2 { length = inner, angle =   0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1007,6 +1025,7 @@ pub mod double_parallelogram_stage {
                     "link left  from G1 to F1 { length = l,     angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1025,6 +1044,7 @@ pub mod double_parallelogram_stage {
                     "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

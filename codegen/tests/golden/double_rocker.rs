@@ -343,43 +343,55 @@ pub mod double_rocker {
             let dddx_stack_dx_stack = dQ_stack_dx_stack / mp;
             let dF_ceramic_ddx_stack = -cp;
             let dddx_stack_ddx_stack = dF_ceramic_ddx_stack / mp;
+            if !(E > 0.0) {
+                return Err(FAILURES[0].diagnostic(&[E]));
+            }
+            if !(b > 0.0) {
+                return Err(FAILURES[1].diagnostic(&[b]));
+            }
+            if !(e > 0.0) {
+                return Err(FAILURES[2].diagnostic(&[e]));
+            }
+            if !(r > 0.0) {
+                return Err(FAILURES[3].diagnostic(&[r]));
+            }
             if !(l1 > 0.0) {
-                return Err(FAILURES[0].diagnostic(&[l1]));
+                return Err(FAILURES[4].diagnostic(&[l1]));
             }
             if !(m1 >= 0.0) {
-                return Err(FAILURES[1].diagnostic(&[m1]));
+                return Err(FAILURES[5].diagnostic(&[m1]));
             }
             if !(I1 >= 0.0) {
-                return Err(FAILURES[2].diagnostic(&[I1]));
+                return Err(FAILURES[6].diagnostic(&[I1]));
             }
             if !(l2 > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l2]));
+                return Err(FAILURES[7].diagnostic(&[l2]));
             }
             if !(m2 >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[m2]));
+                return Err(FAILURES[8].diagnostic(&[m2]));
             }
             if !(I2 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I2]));
+                return Err(FAILURES[9].diagnostic(&[I2]));
             }
             if !(l3 > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l3]));
+                return Err(FAILURES[10].diagnostic(&[l3]));
             }
             if !(m3 >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[m3]));
+                return Err(FAILURES[11].diagnostic(&[m3]));
             }
             if !(I3 >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I3]));
+                return Err(FAILURES[12].diagnostic(&[I3]));
             }
             if !(mp >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[mp]));
+                return Err(FAILURES[13].diagnostic(&[mp]));
             }
             if !(ms >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[ms]));
+                return Err(FAILURES[14].diagnostic(&[ms]));
             }
             if !(-t3 >= 0.0) {
                 let sqrt_D_0 = D_0.sqrt();
                 return Err(
-                    FAILURES[11]
+                    FAILURES[15]
                         .diagnostic(
                             &[
                                 (sqrt_D_0 - l2 - l3).larger(l2_minus_l3.abs() - sqrt_D_0),
@@ -393,7 +405,7 @@ pub mod double_rocker {
             if !(-(t3 + 1e-12) > 0.0) {
                 let sqrt_D_0_2 = D_0.sqrt();
                 return Err(
-                    FAILURES[12]
+                    FAILURES[16]
                         .diagnostic(
                             &[
                                 (sqrt_D_0_2 - l2 - l3)
@@ -406,43 +418,43 @@ pub mod double_rocker {
                 );
             }
             if !(f > 0.0) {
-                return Err(FAILURES[13].diagnostic(&[f]));
+                return Err(FAILURES[17].diagnostic(&[f]));
             }
             if !(rise >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[rise]));
+                return Err(FAILURES[18].diagnostic(&[rise]));
             }
             if !(one_minus_rise >= 0.0) {
-                return Err(FAILURES[15].diagnostic(&[rise]));
+                return Err(FAILURES[19].diagnostic(&[rise]));
             }
             if !(sigma0 > 0.0) {
-                return Err(FAILURES[16].diagnostic(&[sigma0]));
+                return Err(FAILURES[20].diagnostic(&[sigma0]));
             }
             if !(sigma1 >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[sigma1]));
+                return Err(FAILURES[21].diagnostic(&[sigma1]));
             }
             if !(sigma2 >= 0.0) {
-                return Err(FAILURES[18].diagnostic(&[sigma2]));
+                return Err(FAILURES[22].diagnostic(&[sigma2]));
             }
             if !(mu_s > 0.0) {
-                return Err(FAILURES[19].diagnostic(&[mu_s]));
+                return Err(FAILURES[23].diagnostic(&[mu_s]));
             }
             if !(mu_c > 0.0) {
-                return Err(FAILURES[20].diagnostic(&[mu_c]));
+                return Err(FAILURES[24].diagnostic(&[mu_c]));
             }
             if !(v_s > 0.0) {
-                return Err(FAILURES[21].diagnostic(&[v_s]));
+                return Err(FAILURES[25].diagnostic(&[v_s]));
             }
             if !(Fp > 0.0) {
-                return Err(FAILURES[22].diagnostic(&[Fp]));
+                return Err(FAILURES[26].diagnostic(&[Fp]));
             }
             if !(A_crank_0 > 0.0) {
-                return Err(FAILURES[23].diagnostic(&[]));
+                return Err(FAILURES[27].diagnostic(&[]));
             }
             if !(mp > 0.0) {
-                return Err(FAILURES[24].diagnostic(&[]));
+                return Err(FAILURES[28].diagnostic(&[]));
             }
             if !(ms > 0.0) {
-                return Err(FAILURES[25].diagnostic(&[]));
+                return Err(FAILURES[29].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.3962634015954636, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -1826,7 +1838,67 @@ pub mod double_rocker {
     static INPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(4).0;
     static TURNING: [usize; 2] = [0, 1];
-    static FAILURES: [Failure; 26] = [
+    static FAILURES: [Failure; 30] = [
+        Failure {
+            message: Cow::Borrowed("the elastic modulus of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 24,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("Pa")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the width of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 24,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("m")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the web thickness of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 24,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("m")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the radius of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("double_rocker.flex"),
+                line: 24,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("m")]),
+        },
         Failure {
             message: Cow::Borrowed("the length of `crank` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1837,6 +1909,7 @@ pub mod double_rocker {
                 width: 5,
                 excerpt: Cow::Borrowed("link crank from O1 to B {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1849,6 +1922,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m1"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1861,6 +1935,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m1"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1873,6 +1948,7 @@ pub mod double_rocker {
                 width: 7,
                 excerpt: Cow::Borrowed("link coupler from B to D {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1885,6 +1961,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m2"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1897,6 +1974,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m2"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1909,6 +1987,7 @@ pub mod double_rocker {
                 width: 6,
                 excerpt: Cow::Borrowed("link rocker from O2 to D {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1921,6 +2000,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m3"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1933,6 +2013,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("  mass    = m3"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1945,6 +2026,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("slide  stack   along (-1, 0) { mass = mp }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1957,6 +2039,7 @@ pub mod double_rocker {
                 width: 4,
                 excerpt: Cow::Borrowed("slide stage along (-1, 0) { mass = ms }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1975,15 +2058,16 @@ pub mod double_rocker {
                 width: 7,
                 excerpt: Cow::Borrowed("link coupler from B to D {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} the joints of `coupler` and `rocker` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1993,6 +2077,7 @@ pub mod double_rocker {
                 width: 7,
                 excerpt: Cow::Borrowed("link coupler from B to D {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2007,6 +2092,7 @@ pub mod double_rocker {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -2021,6 +2107,7 @@ pub mod double_rocker {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -2035,6 +2122,7 @@ pub mod double_rocker {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -2047,6 +2135,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N/m")]),
         },
         Failure {
@@ -2059,6 +2148,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
@@ -2071,6 +2161,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
@@ -2083,6 +2174,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -2095,6 +2187,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -2107,6 +2200,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("m/s")]),
         },
         Failure {
@@ -2119,6 +2213,7 @@ pub mod double_rocker {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between C and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N")]),
         },
         Failure {
@@ -2135,6 +2230,7 @@ pub mod double_rocker {
                 width: 5,
                 excerpt: Cow::Borrowed("link crank from O1 to B {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -2151,6 +2247,7 @@ pub mod double_rocker {
                 width: 5,
                 excerpt: Cow::Borrowed("slide  stack   along (-1, 0) { mass = mp }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -2167,6 +2264,7 @@ pub mod double_rocker {
                 width: 5,
                 excerpt: Cow::Borrowed("slide stage along (-1, 0) { mass = ms }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

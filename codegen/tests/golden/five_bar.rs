@@ -1614,6 +1614,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1628,6 +1629,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1642,6 +1644,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1656,6 +1659,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1670,6 +1674,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1684,6 +1689,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1698,6 +1704,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1712,6 +1719,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1726,6 +1734,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1740,6 +1749,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1754,6 +1764,7 @@ pub mod five_bar {
                     "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1768,6 +1779,7 @@ pub mod five_bar {
                     "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1782,6 +1794,7 @@ pub mod five_bar {
                     "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1802,15 +1815,16 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop left_crank–left_coupler–right_coupler–right_crank stands at a dead point: at `left_crank` angle {3} two of its links lie in one line",
+                "the loop left_crank–left_coupler–right_coupler–right_crank stands at a dead point: at `left_crank` angle {3} the joints of `left_coupler` and `right_coupler` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `left_coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1822,6 +1836,7 @@ pub mod five_bar {
                     "link left_coupler  from A to P  { length = l2, angle =  25 deg, mass = m2, mass at P = mt, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1840,6 +1855,7 @@ pub mod five_bar {
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1858,6 +1874,7 @@ pub mod five_bar {
                     "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -181,37 +181,49 @@ pub mod four_bar {
                 * 0.07073553026306459;
             // stiffness of a hinge
             let k = t11 / r.sqrt();
+            if !(E > 0.0) {
+                return Err(FAILURES[0].diagnostic(&[E]));
+            }
+            if !(b > 0.0) {
+                return Err(FAILURES[1].diagnostic(&[b]));
+            }
+            if !(e > 0.0) {
+                return Err(FAILURES[2].diagnostic(&[e]));
+            }
+            if !(r > 0.0) {
+                return Err(FAILURES[3].diagnostic(&[r]));
+            }
             if !(l1 > 0.0) {
-                return Err(FAILURES[0].diagnostic(&[l1]));
+                return Err(FAILURES[4].diagnostic(&[l1]));
             }
             if !(m1 >= 0.0) {
-                return Err(FAILURES[1].diagnostic(&[m1]));
+                return Err(FAILURES[5].diagnostic(&[m1]));
             }
             if !(I1 >= 0.0) {
-                return Err(FAILURES[2].diagnostic(&[I1]));
+                return Err(FAILURES[6].diagnostic(&[I1]));
             }
             if !(l2 > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l2]));
+                return Err(FAILURES[7].diagnostic(&[l2]));
             }
             if !(m2 >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[m2]));
+                return Err(FAILURES[8].diagnostic(&[m2]));
             }
             if !(I2 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I2]));
+                return Err(FAILURES[9].diagnostic(&[I2]));
             }
             if !(l3 > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l3]));
+                return Err(FAILURES[10].diagnostic(&[l3]));
             }
             if !(m3 >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[m3]));
+                return Err(FAILURES[11].diagnostic(&[m3]));
             }
             if !(I3 >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I3]));
+                return Err(FAILURES[12].diagnostic(&[I3]));
             }
             if !(-t3 >= 0.0) {
                 let sqrt_D_0 = D_0.sqrt();
                 return Err(
-                    FAILURES[9]
+                    FAILURES[13]
                         .diagnostic(
                             &[
                                 (sqrt_D_0 - l2 - l3).larger(l2_minus_l3.abs() - sqrt_D_0),
@@ -225,7 +237,7 @@ pub mod four_bar {
             if !(-(t3 + 1e-12) > 0.0) {
                 let sqrt_D_0_2 = D_0.sqrt();
                 return Err(
-                    FAILURES[10]
+                    FAILURES[14]
                         .diagnostic(
                             &[
                                 (sqrt_D_0_2 - l2 - l3)
@@ -238,7 +250,7 @@ pub mod four_bar {
                 );
             }
             if !(A_crank_0 > 0.0) {
-                return Err(FAILURES[11].diagnostic(&[]));
+                return Err(FAILURES[15].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.3962634015954636, 20.0],
@@ -1069,7 +1081,67 @@ pub mod four_bar {
     static INPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(3).0;
     static TURNING: [usize; 2] = [0, 1];
-    static FAILURES: [Failure; 12] = [
+    static FAILURES: [Failure; 16] = [
+        Failure {
+            message: Cow::Borrowed("the elastic modulus of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 14,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("Pa")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the width of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 14,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("m")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the web thickness of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 14,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("m")]),
+        },
+        Failure {
+            message: Cow::Borrowed("the radius of a circular hinge is {0}"),
+            hint: Some(Cow::Borrowed("it must be above zero")),
+            site: Some(Site {
+                file: Cow::Borrowed("four_bar.flex"),
+                line: 14,
+                column: 12,
+                width: 14,
+                excerpt: Cow::Borrowed(
+                    "let   k  = circular_hinge(E, width = b, web = e, radius = r, formula = thin_web)  \"stiffness of a hinge\"",
+                ),
+            }),
+            related: Cow::Borrowed(&[]),
+            units: Cow::Borrowed(&[Unit::Other("m")]),
+        },
         Failure {
             message: Cow::Borrowed("the length of `crank` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1082,6 +1154,7 @@ pub mod four_bar {
                     "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1096,6 +1169,7 @@ pub mod four_bar {
                     "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1110,6 +1184,7 @@ pub mod four_bar {
                     "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1124,6 +1199,7 @@ pub mod four_bar {
                     "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1138,6 +1214,7 @@ pub mod four_bar {
                     "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1152,6 +1229,7 @@ pub mod four_bar {
                     "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1166,6 +1244,7 @@ pub mod four_bar {
                     "link rocker  from O2 to D { length = l3, angle = 90 deg,       mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1180,6 +1259,7 @@ pub mod four_bar {
                     "link rocker  from O2 to D { length = l3, angle = 90 deg,       mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1194,6 +1274,7 @@ pub mod four_bar {
                     "link rocker  from O2 to D { length = l3, angle = 90 deg,       mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1214,15 +1295,16 @@ pub mod four_bar {
                     "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} the joints of `coupler` and `rocker` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1234,6 +1316,7 @@ pub mod four_bar {
                     "link coupler from B  to D { length = l2, angle =  0 deg,       mass = m2, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1252,6 +1335,7 @@ pub mod four_bar {
                     "link crank   from O1 to B { length = l1, angle = 80 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

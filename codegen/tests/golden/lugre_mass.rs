@@ -656,6 +656,7 @@ pub mod lugre_mass {
                 width: 4,
                 excerpt: Cow::Borrowed("slide block along (1, 0) { mass = m }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -668,6 +669,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N/m")]),
         },
         Failure {
@@ -680,6 +682,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
@@ -692,6 +695,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
@@ -704,6 +708,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -716,6 +721,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -728,6 +734,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("m/s")]),
         },
         Failure {
@@ -740,6 +747,7 @@ pub mod lugre_mass {
                 width: 7,
                 excerpt: Cow::Borrowed("contact surface between block and ground {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N")]),
         },
         Failure {
@@ -756,6 +764,7 @@ pub mod lugre_mass {
                 width: 5,
                 excerpt: Cow::Borrowed("slide block along (1, 0) { mass = m }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

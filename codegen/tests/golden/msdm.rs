@@ -991,6 +991,7 @@ pub mod msdm {
                 width: 4,
                 excerpt: Cow::Borrowed("slide stack   along (1, 0) { mass = mp }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1003,6 +1004,7 @@ pub mod msdm {
                 width: 4,
                 excerpt: Cow::Borrowed("slide flexure along (1, 0) { mass = me }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1015,6 +1017,7 @@ pub mod msdm {
                 width: 4,
                 excerpt: Cow::Borrowed("slide stage   along (1, 0) { mass = ms }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1029,6 +1032,7 @@ pub mod msdm {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1043,6 +1047,7 @@ pub mod msdm {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -1057,6 +1062,7 @@ pub mod msdm {
                     "drive xp = sawtooth(stroke, frequency = f, rise = rise)",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -1069,6 +1075,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N/m")]),
         },
         Failure {
@@ -1081,6 +1088,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
@@ -1093,6 +1101,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N*s/m")]),
         },
         Failure {
@@ -1105,6 +1114,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -1117,6 +1127,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Number]),
         },
         Failure {
@@ -1129,6 +1140,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("m/s")]),
         },
         Failure {
@@ -1141,6 +1153,7 @@ pub mod msdm {
                 width: 3,
                 excerpt: Cow::Borrowed("contact tip between flexure and stage {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("N")]),
         },
         Failure {
@@ -1157,6 +1170,7 @@ pub mod msdm {
                 width: 5,
                 excerpt: Cow::Borrowed("slide stack   along (1, 0) { mass = mp }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1173,6 +1187,7 @@ pub mod msdm {
                 width: 7,
                 excerpt: Cow::Borrowed("slide flexure along (1, 0) { mass = me }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1189,6 +1204,7 @@ pub mod msdm {
                 width: 5,
                 excerpt: Cow::Borrowed("slide stage   along (1, 0) { mass = ms }"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -444,6 +444,7 @@ pub mod n_windows_1 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -458,6 +459,7 @@ pub mod n_windows_1 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -472,6 +474,7 @@ pub mod n_windows_1 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -486,6 +489,7 @@ pub mod n_windows_1 {
                     "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -500,6 +504,7 @@ pub mod n_windows_1 {
                     "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -514,6 +519,7 @@ pub mod n_windows_1 {
                     "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -528,6 +534,7 @@ pub mod n_windows_1 {
                     "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -542,6 +549,7 @@ pub mod n_windows_1 {
                     "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -556,6 +564,7 @@ pub mod n_windows_1 {
                     "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -574,6 +583,7 @@ pub mod n_windows_1 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -460,6 +460,7 @@ pub mod n_windows_2 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -474,6 +475,7 @@ pub mod n_windows_2 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -488,6 +490,7 @@ pub mod n_windows_2 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -502,6 +505,7 @@ pub mod n_windows_2 {
                     "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -516,6 +520,7 @@ pub mod n_windows_2 {
                     "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -530,6 +535,7 @@ pub mod n_windows_2 {
                     "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -544,6 +550,7 @@ pub mod n_windows_2 {
                     "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -558,6 +565,7 @@ pub mod n_windows_2 {
                     "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -572,6 +580,7 @@ pub mod n_windows_2 {
                     "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -586,6 +595,7 @@ pub mod n_windows_2 {
                     "link bar2     from B1 to B2 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -600,6 +610,7 @@ pub mod n_windows_2 {
                     "link bar2     from B1 to B2 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -614,6 +625,7 @@ pub mod n_windows_2 {
                     "link bar2     from B1 to B2 { length = l, angle =  0 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -628,6 +640,7 @@ pub mod n_windows_2 {
                     "link upright2 from G2 to B2 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -642,6 +655,7 @@ pub mod n_windows_2 {
                     "link upright2 from G2 to B2 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -656,6 +670,7 @@ pub mod n_windows_2 {
                     "link upright2 from G2 to B2 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -674,6 +689,7 @@ pub mod n_windows_2 {
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

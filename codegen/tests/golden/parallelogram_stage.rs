@@ -539,6 +539,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -553,6 +554,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -567,6 +569,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -581,6 +584,7 @@ pub mod parallelogram_stage {
                     "link right from G2 to P2 { length = l,   angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -595,6 +599,7 @@ pub mod parallelogram_stage {
                     "link right from G2 to P2 { length = l,   angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -609,6 +614,7 @@ pub mod parallelogram_stage {
                     "link right from G2 to P2 { length = l,   angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -623,6 +629,7 @@ pub mod parallelogram_stage {
                     "link stage from P1 to P2 { length = gap, angle =  0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -637,6 +644,7 @@ pub mod parallelogram_stage {
                     "link stage from P1 to P2 { length = gap, angle =  0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -651,6 +659,7 @@ pub mod parallelogram_stage {
                     "link stage from P1 to P2 { length = gap, angle =  0 deg,       mass = ms }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -669,6 +678,7 @@ pub mod parallelogram_stage {
                     "link left  from G1 to P1 { length = l,   angle = 90 deg exact, mass = ml, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -480,6 +480,7 @@ pub mod pendulum {
                 width: 3,
                 excerpt: Cow::Borrowed("link bar from pivot to tip {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -492,6 +493,7 @@ pub mod pendulum {
                 width: 7,
                 excerpt: Cow::Borrowed("  density = density"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -504,6 +506,7 @@ pub mod pendulum {
                 width: 7,
                 excerpt: Cow::Borrowed("  density = density"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -520,6 +523,7 @@ pub mod pendulum {
                 width: 3,
                 excerpt: Cow::Borrowed("link bar from pivot to tip {"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -1848,6 +1848,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1862,6 +1863,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1876,6 +1878,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1890,6 +1893,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1904,6 +1908,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1918,6 +1923,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1932,6 +1938,7 @@ pub mod six_bar {
                     "link rocker  from O2 to B { length = l3, angle = 87 deg,  mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1946,6 +1953,7 @@ pub mod six_bar {
                     "link rocker  from O2 to B { length = l3, angle = 87 deg,  mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1960,6 +1968,7 @@ pub mod six_bar {
                     "link rocker  from O2 to B { length = l3, angle = 87 deg,  mass = m3, symbol = φ3 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1974,6 +1983,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1988,6 +1998,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2002,6 +2013,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2016,6 +2028,7 @@ pub mod six_bar {
                     "link output_rocker from O3 to D { length = l6, angle = 111 deg, mass = m6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -2030,6 +2043,7 @@ pub mod six_bar {
                     "link output_rocker from O3 to D { length = l6, angle = 111 deg, mass = m6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -2044,6 +2058,7 @@ pub mod six_bar {
                     "link output_rocker from O3 to D { length = l6, angle = 111 deg, mass = m6, symbol = φ6 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -2064,15 +2079,16 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–rocker stands at a dead point: at `crank` angle {3} the joints of `coupler` and `rocker` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `coupler.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2084,6 +2100,7 @@ pub mod six_bar {
                     "link coupler from A to B  { length = l2, angle = 15 deg,  mass = m2, com = (l2/2, cy/3), symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2104,15 +2121,16 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–connector–output_rocker stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop crank–coupler–connector–output_rocker stands at a dead point: at `crank` angle {3} the joints of `connector` and `output_rocker` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `connector.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -2124,6 +2142,7 @@ pub mod six_bar {
                     "link connector from C to D  { length = l5, angle = 36 deg,  mass = m5, symbol = φ5 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -2142,6 +2161,7 @@ pub mod six_bar {
                     "link crank   from O1 to A { length = l1, angle = 70 deg exact, mass = m1, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

@@ -888,6 +888,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -902,6 +903,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -916,6 +918,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -930,6 +933,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -944,6 +948,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -958,6 +963,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -972,6 +978,7 @@ pub mod slider_crank {
                     "slide piston along (1, 0) through (0 mm, offset) { mass = ms, at = 52 mm }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -990,15 +997,16 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–rod–piston stands at a dead point: at `crank` angle {1} two of its links lie in one line",
+                "the loop crank–rod–piston stands at a dead point: at `crank` angle {1} `rod` stands square to the guide of `piston`",
             ),
             hint: Some(
                 Cow::Borrowed(
-                    "assemble it in another configuration: change an angle or a length",
+                    "assemble it in another configuration: change an angle or a length; or ask for the coordinate `rod.angle`, if that leads it through",
                 ),
             ),
             site: Some(Site {
@@ -1010,6 +1018,7 @@ pub mod slider_crank {
                     "link rod   from A to P { length = l, angle = -15 deg,      mass = mr, symbol = ψ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Degree]),
         },
         Failure {
@@ -1028,6 +1037,7 @@ pub mod slider_crank {
                     "link crank from O to A { length = r, angle = 75 deg exact, mass = mc, symbol = φ }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

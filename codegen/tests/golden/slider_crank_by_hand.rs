@@ -801,12 +801,14 @@ pub mod slider_crank_by_hand {
             message: Cow::Borrowed("the rod of {0} is shorter than the crank"),
             hint: Some(Cow::Borrowed("make it longer than {1}")),
             site: None,
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed("no relaxed angle for {0}"),
             hint: None,
             site: None,
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Degree]),
         },
     ];

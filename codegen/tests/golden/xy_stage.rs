@@ -935,6 +935,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -949,6 +950,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -963,6 +965,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -977,6 +980,7 @@ pub mod xy_stage {
                     "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -991,6 +995,7 @@ pub mod xy_stage {
                     "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1005,6 +1010,7 @@ pub mod xy_stage {
                     "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1019,6 +1025,7 @@ pub mod xy_stage {
                     "link frame from F1 to F2 { length = w, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1033,6 +1040,7 @@ pub mod xy_stage {
                     "link frame from F1 to F2 { length = w, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1047,6 +1055,7 @@ pub mod xy_stage {
                     "link frame from F1 to F2 { length = w, angle =  0 deg,       mass = mf }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1061,6 +1070,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1075,6 +1085,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1089,6 +1100,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1103,6 +1115,7 @@ pub mod xy_stage {
                     "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1117,6 +1130,7 @@ pub mod xy_stage {
                     "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1131,6 +1145,7 @@ pub mod xy_stage {
                     "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1145,6 +1160,7 @@ pub mod xy_stage {
                     "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
@@ -1159,6 +1175,7 @@ pub mod xy_stage {
                     "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
         },
         Failure {
@@ -1173,6 +1190,7 @@ pub mod xy_stage {
                     "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
@@ -1185,6 +1203,7 @@ pub mod xy_stage {
                 width: 2,
                 excerpt: Cow::Borrowed("drive ux = sine(stroke, frequency = fx)"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1197,6 +1216,7 @@ pub mod xy_stage {
                 width: 2,
                 excerpt: Cow::Borrowed("drive uy = sine(stroke, frequency = fy)"),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("Hz")]),
         },
         Failure {
@@ -1215,6 +1235,7 @@ pub mod xy_stage {
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
         Failure {
@@ -1233,6 +1254,7 @@ pub mod xy_stage {
                     "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
                 ),
             }),
+            related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[]),
         },
     ];

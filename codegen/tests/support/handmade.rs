@@ -163,6 +163,7 @@ pub fn slider_crank() -> Equations {
                     message: "no relaxed angle for {0}".to_owned(),
                     hint: None,
                     site: None,
+                    related: Vec::new(),
                     values: vec![Shown {
                         value: beta,
                         unit: ShownUnit::Degree,
@@ -275,6 +276,7 @@ pub fn slider_crank() -> Equations {
                 message: "the rod of {0} is shorter than the crank".to_owned(),
                 hint: Some("make it longer than {1}".to_owned()),
                 site: None,
+                related: Vec::new(),
                 values: vec![
                     Shown {
                         value: l,

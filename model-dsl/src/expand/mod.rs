@@ -19,7 +19,7 @@ mod write;
 
 use crate::source::Source;
 use crate::syntax::Problem;
-use crate::syntax::tree::File;
+use crate::syntax::tree::{File, ItemKind, Name};
 
 /// What [`expand`] gives.
 pub struct Expanded {
@@ -29,6 +29,8 @@ pub struct Expanded {
     pub problems: Vec<Problem>,
     /// Paths of the files that were used.
     pub files: Vec<String>,
+    /// Components of the file itself of which there is no part.
+    pub unused: Vec<Name>,
 }
 
 /// Writes out components, parts and repeats of `file`; `source` learns of used files and copies.
@@ -41,6 +43,13 @@ pub fn expand(
     let mut library = files::library(&file, source, read);
     let problems = std::mem::take(&mut library.problems);
     let plan = plan::plan(&file, &library, source, problems);
+    let unused = file.items.iter().filter_map(|item| match &item.kind {
+        ItemKind::Component(component) if !plan.made.contains(component.name.text.as_str()) => {
+            Some(component.name.clone())
+        }
+        _ => None,
+    });
+    let unused = unused.collect();
     let (items, mut problems) = write::write(plan);
     problems.sort_by_key(|problem| problem.span);
     Expanded {
@@ -50,5 +59,6 @@ pub fn expand(
         },
         problems,
         files: library.paths,
+        unused,
     }
 }

@@ -47,6 +47,8 @@ pub(super) struct Given<'a> {
 pub(super) struct Plan<'a> {
     pub names: Names<'a>,
     pub pieces: Vec<Piece<'a>>,
+    /// Names of the components of which there are parts.
+    pub made: HashSet<&'a str>,
 }
 
 /// Plans what is written of `file`.
@@ -67,6 +69,7 @@ pub(super) fn plan<'a>(
                 problems,
             },
             pieces: Vec::new(),
+            made: HashSet::new(),
         },
         mentioned: HashMap::new(),
         inside: Vec::new(),
@@ -244,6 +247,7 @@ impl<'a> Planner<'a, '_> {
     }
 
     fn part(&mut self, part: &'a Part, scope: &Scope, depth: usize) {
+        self.plan.made.insert(&part.component.text);
         let library = self.plan.names.library;
         let Some((component, original)) = library.components.get(&part.component.text) else {
             let name = &part.component.text;

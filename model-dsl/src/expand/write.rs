@@ -10,7 +10,9 @@ use crate::syntax::tree::{
 
 /// Writes what was planned.
 pub(super) fn write(plan: Plan<'_>) -> (Vec<Item>, Vec<Problem>) {
-    let Plan { mut names, pieces } = plan;
+    let Plan {
+        mut names, pieces, ..
+    } = plan;
     let mut items = Vec::with_capacity(pieces.len());
     for piece in pieces {
         match piece {

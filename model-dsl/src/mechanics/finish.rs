@@ -41,6 +41,9 @@ impl Derivation<'_> {
         for quantity in &self.model.lets {
             self.define(quantity.symbol, quantity.value, quantity.doc.clone());
         }
+        for (condition, span) in &self.model.conditions {
+            self.conditions(std::slice::from_ref(condition), *span);
+        }
         for body in &self.model.bodies {
             if let BodyKind::Link(link) = &body.kind {
                 let failure = self.failure(
@@ -144,6 +147,7 @@ impl Derivation<'_> {
         }
         self.start(&laws, &mut motion);
         self.inertia_checks(inertia);
+        self.massless_together(inertia);
         self.stops();
         let outputs = self.outputs();
         self.warn_of_unbooked_jumps();
@@ -168,7 +172,7 @@ impl Derivation<'_> {
                 .hint("let forces and drives use time, positions, rates and the forces of other elements");
                 let measures = &self.model.measures;
                 if let Some(used) = measures.iter().find(|used| cycle.contains(&used.symbol)) {
-                    error = error.at(self.model.source.site(used.span));
+                    error = self.model.source.blame(used.span, error);
                 }
                 return Err(vec![error]);
             }
@@ -238,9 +242,9 @@ impl Derivation<'_> {
             "`{}` does not count what the drive `{}` supplies where it jumps",
             used.name, kink.name
         ))
-        .at(self.model.source.site(used.span))
         .hint("ask for the energy of the whole run instead: it is accounted at jumps too");
-        self.warnings.push(warning);
+        self.warnings
+            .push(self.model.source.blame(used.span, warning));
     }
 
     fn stops(&mut self) {

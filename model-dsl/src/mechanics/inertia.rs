@@ -204,9 +204,10 @@ impl Derivation<'_> {
     }
 
     fn too_long(&self, message: String, body: BodyId) -> Diagnostic {
-        Diagnostic::error(message)
-            .at(self.model.source.site(self.model.bodies[body].span))
-            .hint("lump links or slides together, or join the chain to ground in between")
+        let error = Diagnostic::error(message)
+            .hint("lump links or slides together, or join the chain to ground in between");
+        let span = self.model.bodies[body].span;
+        self.model.source.blame(span, error)
     }
 
     /// Twice the kinetic energy, product by product: squares of rates first, in body order.

@@ -4,7 +4,7 @@
 //! the distance of two ends, a contact on the slip along a guide and the approach along a normal,
 //! gravity on heights. A force F on a measure δ is F ∂δ/∂q on the coordinate q.
 
-use crate::equations::{Failure, Line, Shown, ShownUnit};
+use crate::equations::{Line, Shown, ShownUnit};
 use crate::model::{BodyId, Condition, Load};
 use crate::source::Span;
 use crate::structure::turning_link;
@@ -179,15 +179,12 @@ impl Derivation<'_> {
     /// Turns the conditions of a waveform or law into checks.
     pub(super) fn conditions(&mut self, conditions: &[Condition], span: Span) {
         for condition in conditions {
-            let failure = Failure {
-                message: condition.message.clone(),
-                hint: Some(condition.hint.clone()),
-                site: Some(self.model.source.site(span)),
-                values: vec![Shown {
-                    value: condition.value,
-                    unit: condition.unit.map_or(ShownUnit::Number, ShownUnit::Other),
-                }],
+            let shown = Shown {
+                value: condition.value,
+                unit: condition.unit.map_or(ShownUnit::Number, ShownUnit::Other),
             };
+            let (message, hint) = (condition.message.clone(), condition.hint.clone());
+            let failure = self.failure(message, hint, span, vec![shown]);
             self.check(condition.margin, condition.zero_is_well, failure);
         }
     }

@@ -18,8 +18,10 @@
 mod closing;
 mod coupled;
 mod finish;
+mod immobile;
 mod inertia;
 mod laws;
+mod massless;
 mod measures;
 mod motion;
 mod names;
@@ -56,6 +58,7 @@ pub fn derive(model: &Model, structure: &Structure) -> Result<Equations, Vec<Dia
     derivation.params();
     derivation.name_coordinates();
     derivation.close_loops();
+    derivation.warn_of_trusses();
     derivation.position_measures();
     derivation.drives();
     let inertia = derivation.inertia()?;
@@ -313,6 +316,17 @@ impl<'m> Derivation<'m> {
         }
     }
 
+    /// Reports an error at a place of the model file.
+    pub(crate) fn fault(
+        &mut self,
+        span: crate::source::Span,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
+        let error = Diagnostic::error(message).hint(hint);
+        self.errors.push(self.model.source.blame(span, error));
+    }
+
     /// A failure at a place of the model file.
     pub(crate) fn failure(
         &self,
@@ -325,6 +339,7 @@ impl<'m> Derivation<'m> {
             message: message.into(),
             hint: Some(hint.into()),
             site: Some(self.model.source.site(span)),
+            related: self.model.source.origins(span),
             values,
         }
     }

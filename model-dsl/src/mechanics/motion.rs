@@ -3,8 +3,6 @@
 //! M q̈ + h(q, q̇) + ∂P/∂q = τ, with h_i = Σ_jk (∂M_ij/∂q_k - ½ ∂M_jk/∂q_i) q̇_j q̇_k. For a block of
 //! one whose inertia depends on its own coordinate alone this is the article's (15).
 
-use flexure_runtime::diagnostic::Diagnostic;
-
 use crate::equations::{Energy, Line, State};
 use crate::model::{BodyKind, EnergyKind, Measure};
 use crate::symbolic::Expr;
@@ -100,14 +98,6 @@ impl Derivation<'_> {
             energy,
             imbalance,
         }
-    }
-
-    fn massless(&mut self, index: usize) {
-        let body = &self.model.bodies[self.coordinates[index].body];
-        let error = Diagnostic::error(format!("`{}` can move but has no mass", body.name))
-            .at(self.model.source.site(body.span))
-            .hint("give it a `mass` (or a `section` and a `density`), or join it to a body that has one");
-        self.errors.push(error);
     }
 
     /// Names of quantities of a coordinate: bare where only one block needs them.

@@ -2,8 +2,6 @@
 
 use std::collections::HashMap;
 
-use flexure_runtime::diagnostic::Diagnostic;
-
 use crate::equations::{Definition, Shown, ShownUnit, Solve, State};
 use crate::model::{BodyId, BodyKind, Initial, Measure, Start};
 use crate::symbolic::{Expr, Function, Symbol};
@@ -252,11 +250,10 @@ impl Derivation<'_> {
             | Measure::ContactNormal(_)
             | Measure::ContactSlip(_)
             | Measure::Energy(_) => {
-                let site = self.model.source.site(initial.span);
-                self.errors.push(
-                    Diagnostic::error("this quantity follows from others and has no initial value of its own")
-                        .at(site)
-                        .hint("give the angle, position or rate of a coordinate, or the state of a contact"),
+                self.fault(
+                    initial.span,
+                    "this quantity follows from others and has no initial value of its own",
+                    "give the angle, position or rate of a coordinate, or the state of a contact",
                 );
             }
         }
@@ -268,14 +265,13 @@ impl Derivation<'_> {
             .iter()
             .map(|c| format!("`{}`", self.model.bodies[c.body].name))
             .collect();
-        let site = self.model.source.site(initial.span);
-        self.errors.push(
-            Diagnostic::error(format!(
+        self.fault(
+            initial.span,
+            format!(
                 "the initial {what} of `{}` follows from the coordinates and cannot be given",
                 self.model.bodies[body].name
-            ))
-            .at(site)
-            .hint(format!("give that of a coordinate: {}", names.join(", "))),
+            ),
+            format!("give that of a coordinate: {}", names.join(", ")),
         );
     }
 }

@@ -4,6 +4,7 @@ use super::calls::{Given, Parameter, Signature, Takes, optional, required};
 use super::expression::{Scalar, Scope};
 use super::wanted;
 use super::{Reported, Resolved, Resolver};
+use crate::model::Condition;
 use crate::parts::hinges::{self, CircularFormula};
 use crate::source::Span;
 use crate::symbolic::{Function, Rational};
@@ -218,6 +219,17 @@ impl Resolver<'_> {
             return Err(Reported);
         };
         let formula = CircularFormula::named(formula).ok_or(Reported)?;
+        let units = [
+            (modulus, "elastic modulus", "Pa"),
+            (width, "width", "m"),
+            (web, "web thickness", "m"),
+            (radius, "radius", "m"),
+        ];
+        for (value, what, unit) in units {
+            let name = format!("the {what} of a circular hinge");
+            let condition = Condition::above_zero(value.expr, &name).in_unit(unit);
+            self.model.conditions.push((condition, call.name.span));
+        }
         let expr = hinges::circular(
             &mut self.model.graph,
             [modulus.expr, width.expr, web.expr, radius.expr],

@@ -68,6 +68,22 @@ pub fn resolve(
         }
         resolver.report(problem.span, diagnostic);
     }
+    // A part that was not understood may have been one of it.
+    let unused = if resolver.failed() {
+        Vec::new()
+    } else {
+        expanded.unused
+    };
+    for name in unused {
+        resolver.warning(
+            name.span,
+            format!(
+                "no part is made of the component `{}`, so nothing in it is checked",
+                name.text
+            ),
+            format!("write `part NAME = {}(…)`, or remove it", name.text),
+        );
+    }
     resolver.partial = resolver.failed();
     resolver.run(&expanded.file);
     resolver.finish()
@@ -75,9 +91,6 @@ pub fn resolve(
 
 /// Most diagnostics that are reported for one file.
 const MOST_DIAGNOSTICS: usize = 50;
-
-/// Most parts and turns in each other that one diagnostic names.
-const MOST_LEVELS: usize = 6;
 
 /// Something of the file that failed was reported; carry on without it.
 struct Reported;
@@ -218,7 +231,6 @@ impl<'a> Resolver<'a> {
         if self.full() {
             return;
         }
-        let within: Vec<(Span, String)> = self.model.source.within(span);
         if let Some(copy) = self.model.source.copy(span) {
             let written = self.model.source.written(span);
             let key = (written, diagnostic.severity);
@@ -226,9 +238,7 @@ impl<'a> Resolver<'a> {
                 return;
             }
         }
-        for (reason, label) in within.into_iter().take(MOST_LEVELS) {
-            diagnostic = diagnostic.related(self.site(reason), label);
-        }
+        diagnostic.related.extend(self.model.source.origins(span));
         self.diagnostics.push((span, diagnostic));
     }
 

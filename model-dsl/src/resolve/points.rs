@@ -6,7 +6,7 @@ use super::functions::{POLAR, POLAR_VECTOR};
 use super::names::Named;
 use super::wanted::{self, Wanted};
 use super::{Member, Place, Reported, Resolved, Resolver};
-use crate::model::{BodyId, End, GROUND, Local, NamedPoint, Pin};
+use crate::model::{BodyId, Condition, End, GROUND, Local, NamedPoint, Pin};
 use crate::source::Span;
 use crate::symbolic::{Expr, Rational};
 use crate::syntax::tree::{Declaration, Expression, ExpressionKind, File, ItemKind, Name, Path};
@@ -342,6 +342,15 @@ impl Resolver<'_> {
                 "write `(1, 0)` for along x, `(0, 1)` for along y",
             ));
         }
+        let squares = [g.powi(x, 2), g.powi(y, 2)];
+        let square = g.sum(&squares);
+        let condition = Condition {
+            message: "this direction has no length".to_owned(),
+            hint: "let one of its components differ from zero".to_owned(),
+            ..Condition::above_zero(square, "")
+        };
+        self.model.conditions.push((condition, span));
+        let g = &mut self.model.graph;
         // Along an axis only the sign counts.
         let sign = |g: &mut crate::symbolic::Graph, value: Expr| {
             g.function(crate::symbolic::Function::Sign, &[value])

@@ -12,12 +12,15 @@
 //! A link brings one variable, its angle; a slide one, its position on its guide; both turn into
 //! two equations for each loop, because a place is a sum of turned vectors. The steps are taken in
 //! the order above until every body is placed, so each loop has the fewest bodies that can close it.
+//! What is wrong on the way is said by `faults`, with the bodies and joints involved.
 
+mod faults;
 mod search;
 
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
+pub(crate) use faults::{bodies_named, coordinate_named, joints_named};
 use search::Search;
 
 /// Links and slides that a model may have: equations of more would be longer than anyone reads,
@@ -206,7 +209,7 @@ impl Structure {
     }
 
     /// The bodies from ground to `body`, without ground.
-    fn way_out(&self, body: BodyId) -> Vec<BodyId> {
+    pub(crate) fn way_out(&self, body: BodyId) -> Vec<BodyId> {
         let mut way = Vec::new();
         let mut at = body;
         while at != GROUND {
@@ -251,15 +254,21 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
     }
     if let Some(body) = model.bodies.get(MOST_BODIES + 1) {
         return Err(vec![
-            Diagnostic::error(format!(
-                "the model has {} bodies, more than {MOST_BODIES} are not compiled",
-                model.bodies.len() - 1
-            ))
-            .at(model.source.site(body.span))
-            .hint("lump links or slides together, or cut the model into several"),
+            model.source.blame(
+                body.span,
+                Diagnostic::error(format!(
+                    "the model has {} bodies, more than {MOST_BODIES} are not compiled",
+                    model.bodies.len() - 1
+                ))
+                .hint("lump links or slides together, or cut the model into several"),
+            ),
         ]);
     }
     let components = components(model)?;
+    let twice = faults::pinned_twice(model);
+    if !twice.is_empty() {
+        return Err(twice);
+    }
     let mut search = Search::new(model);
     let asked = asked(model, &components)?;
     for &body in &asked {
@@ -267,19 +276,26 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
     }
     let mut coordinates = asked.clone();
     for component in &components {
-        let mut left = component.freedom.max(1);
-        left -= asked
-            .iter()
-            .filter(|body| component.bodies.contains(body))
-            .count() as i64;
+        let before = search.steps.len();
         search.look_at(&component.bodies);
         search.proceed();
         while !search.is_placed(&component.bodies) {
-            let has_own = coordinates
+            let own = coordinates
                 .iter()
-                .any(|body| component.bodies.contains(body));
-            if left <= 0 && has_own {
-                search.together(&component.bodies)?;
+                .filter(|body| component.bodies.contains(body))
+                .count() as i64;
+            // A redundant joint takes away no freedom.
+            let freedom = component.freedom + redundancy(&search.steps[before..]);
+            let left = freedom.max(i64::from(own == 0)) - own;
+            if left <= 0 && own > 0 {
+                if let Some(next) = search.equal_legs(&component.bodies) {
+                    coordinates.push(next);
+                    search.learn(next);
+                    search.proceed();
+                } else if let Err(error) = search.together(&component.bodies) {
+                    let follows = dependent(model, component, &asked, true);
+                    return Err(vec![follows.unwrap_or(error)]);
+                }
                 continue;
             }
             let next = if component.loops == 0 {
@@ -292,17 +308,12 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             };
             coordinates.push(next);
             search.learn(next);
-            left -= 1;
             search.proceed();
         }
     }
     search.leftover_joints();
     if coordinates.is_empty() {
-        return Err(vec![
-            Diagnostic::error("nothing in this model can move: its links form a rigid truss")
-                .at(model.source.site(model.bodies[1].span))
-                .hint("remove a link, or let one of them end in a point of its own"),
-        ]);
+        return Err(vec![faults::rigid(model)]);
     }
     // Those that were asked for lead, in the order in which they were.
     coordinates[asked.len()..].sort_unstable();
@@ -374,20 +385,11 @@ fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
     let mut components = Vec::new();
     for lead in 1..count {
         let bodies = std::mem::take(&mut members[lead]);
-        let Some(&first) = bodies.first() else {
+        if bodies.is_empty() {
             continue;
-        };
+        }
         if !bodies.iter().any(|body| grounded[*body]) {
-            let names: Vec<String> = bodies
-                .iter()
-                .map(|b| format!("`{}`", model.bodies[*b].name))
-                .collect();
-            let verb = if bodies.len() == 1 { "is" } else { "are" };
-            errors.push(
-                Diagnostic::error(format!("{} {verb} not joined to ground", names.join(", ")))
-                    .at(model.source.site(model.bodies[first].span))
-                    .hint("let one of its ends be a `ground` point, or a point of a body that is joined to ground"),
-            );
+            errors.push(faults::unjoined(model, &bodies));
             continue;
         }
         let pins: usize = pinned[lead];
@@ -417,26 +419,69 @@ fn asked(model: &Model, components: &[Component]) -> Result<Vec<BodyId>, Vec<Dia
         if asked.contains(&request.body) {
             continue;
         }
-        let Some(component) = components.iter().find(|c| c.bodies.contains(&request.body)) else {
-            continue;
-        };
-        let same = asked
-            .iter()
-            .filter(|body| component.bodies.contains(body))
-            .count() as i64;
-        let freedom = component.freedom.max(1);
-        if same == freedom {
-            return Err(vec![
-                Diagnostic::error(format!(
-                    "more coordinates are asked for than the mechanism has degrees of freedom ({freedom})"
-                ))
-                .at(model.source.site(request.span))
-                .hint("remove this `coordinate`"),
-            ]);
-        }
         asked.push(request.body);
     }
-    Ok(asked)
+    let follows: Vec<Diagnostic> = components
+        .iter()
+        .filter_map(|component| dependent(model, component, &asked, false))
+        .collect();
+    if follows.is_empty() {
+        Ok(asked)
+    } else {
+        Err(follows)
+    }
+}
+
+/// Freedom that equations take away which say nothing new: two equations for each loop, less the
+/// variables that they fix.
+fn redundancy(steps: &[Step]) -> i64 {
+    steps
+        .iter()
+        .filter(|step| matches!(step, Step::Redundant { .. }))
+        .map(|step| 2 - step.unknowns().len() as i64)
+        .sum()
+}
+
+/// The first coordinate asked for in a component that those before it determine. `by_counting`
+/// also tells so where loops only close together, which says nothing where joints are redundant.
+fn dependent(
+    model: &Model,
+    component: &Component,
+    asked: &[BodyId],
+    by_counting: bool,
+) -> Option<Diagnostic> {
+    let mut own = model.coordinates.iter().filter(|request| {
+        asked.contains(&request.body) && component.bodies.contains(&request.body)
+    });
+    let mut request = own.next()?;
+    let mut search = Search::new(model);
+    search.look_at(&component.bodies);
+    search.proceed();
+    let mut leaders: Vec<BodyId> = Vec::new();
+    while leaders.contains(&request.body)
+        || !search.is_known(request.body)
+            && (!by_counting || search.can_spare(&component.bodies, request.body))
+    {
+        search.learn(request.body);
+        search.proceed();
+        leaders.push(request.body);
+        request = own.next()?;
+    }
+    if leaders.is_empty() {
+        // No coordinate at all is free: that is another fault.
+        return None;
+    }
+    let around = if search.is_known(request.body) {
+        search.around(request.body)
+    } else {
+        component.bodies.clone()
+    };
+    leaders.dedup();
+    if leaders.iter().any(|leader| around.contains(leader)) {
+        leaders.retain(|leader| around.contains(leader));
+    }
+    let asked_for = (request.body, request.span);
+    Some(faults::follows(model, asked_for, &around, &leaders))
 }
 
 /// `crank–coupler–rocker`.

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use super::{Attachment, Leg, Step, Way, loop_names, turning_link};
+use super::{Attachment, Leg, Step, Structure, Way, faults, turning_link};
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
 
 /// What is known so far.
@@ -112,6 +112,37 @@ impl<'m> Search<'m> {
     /// A variable is known from now on.
     pub(super) fn learn(&mut self, body: BodyId) {
         self.known[body] = true;
+    }
+
+    pub(super) fn is_known(&self, body: BodyId) -> bool {
+        self.known[body]
+    }
+
+    /// The bodies of the loop that gives a body's variable.
+    pub(super) fn around(&self, body: BodyId) -> Vec<BodyId> {
+        let structure = self.so_far();
+        let step = self
+            .steps
+            .iter()
+            .find(|step| step.unknowns().contains(&body));
+        let mut bodies: Vec<BodyId> = step
+            .into_iter()
+            .flat_map(|step| step.ways())
+            .flat_map(|way| structure.way_bodies(way))
+            .collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
+    }
+
+    /// What is placed so far, without its steps.
+    fn so_far(&self) -> Structure {
+        Structure {
+            attachments: self.attachments(),
+            coordinates: Vec::new(),
+            asked: Vec::new(),
+            steps: Vec::new(),
+        }
     }
 
     pub(super) fn is_placed(&self, bodies: &[BodyId]) -> bool {
@@ -462,12 +493,52 @@ impl<'m> Search<'m> {
             .copied()
     }
 
+    /// A coordinate for what stands on ground alone and has no freedom by counting, if its links
+    /// then follow one another and every joint too many is that of a link as long as another of its
+    /// loop: a further parallel leg, which takes away no freedom.
+    pub(super) fn equal_legs(&self, bodies: &[BodyId]) -> Option<BodyId> {
+        let is_apart = self.scope.1.iter().all(|&index| {
+            let members = &self.model.pins[index].members;
+            let is_open = members.iter().any(|(body, _)| self.placed[*body].is_none());
+            !is_open
+                || members
+                    .iter()
+                    .all(|(body, _)| *body == GROUND || self.placed[*body].is_none())
+        });
+        if !is_apart {
+            return None;
+        }
+        let length = |body: BodyId| match &self.model.bodies[body].kind {
+            BodyKind::Link(link) => Some(self.model.named_by(link.length)),
+            BodyKind::Slide(_) | BodyKind::Ground => None,
+        };
+        let closes = |candidate: &BodyId| {
+            let mut trial = self.clone();
+            trial.learn(*candidate);
+            trial.proceed();
+            let structure = trial.so_far();
+            let is_leg = |step: &Step| match step {
+                Step::Redundant { way, unknown } => unknown.is_some_and(|leg| {
+                    length(leg).is_some()
+                        && structure
+                            .way_bodies(way)
+                            .into_iter()
+                            .any(|other| other != leg && length(other) == length(leg))
+                }),
+                Step::Close { .. } | Step::Together { .. } => true,
+            };
+            trial.is_placed(bodies) && trial.steps[self.steps.len()..].iter().all(is_leg)
+        };
+        let open = |body: &BodyId| !self.known[*body];
+        bodies.iter().copied().filter(open).find(closes)
+    }
+
     /// All that is left of `bodies` closes together: a tree over the unplaced bodies, and a loop for
     /// each joint beside it.
     ///
     /// # Errors
     /// If there are not as many unknown variables as equations.
-    pub(super) fn together(&mut self, bodies: &[BodyId]) -> Result<(), Vec<Diagnostic>> {
+    pub(super) fn together(&mut self, bodies: &[BodyId]) -> Result<(), Diagnostic> {
         let mut trial = self.clone();
         let unknowns: Vec<BodyId> = bodies
             .iter()
@@ -486,19 +557,7 @@ impl<'m> Search<'m> {
             .flat_map(|step| step.ways().to_vec())
             .collect();
         if ways.len() * 2 != unknowns.len() || !trial.is_placed(bodies) {
-            let names = loop_names(self.model, &unknowns);
-            let body = unknowns
-                .first()
-                .or(bodies.first())
-                .copied()
-                .unwrap_or(GROUND);
-            return Err(vec![
-                Diagnostic::error(format!(
-                    "{names} cannot move against each other: they are over-constrained"
-                ))
-                .at(self.model.source.site(self.model.bodies[body].span))
-                .hint("remove a link or a pin between them"),
-            ]);
+            return Err(faults::overconstrained(self.model, &unknowns));
         }
         *self = trial;
         self.steps.push(Step::Together { ways, unknowns });

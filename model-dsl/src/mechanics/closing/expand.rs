@@ -57,6 +57,23 @@ impl Derivation<'_> {
         self.g.substitute(expr, map)
     }
 
+    /// `expr` with every quantity that has a value of params written out.
+    pub(super) fn in_params(&mut self, expr: Expr) -> Expr {
+        let mut expr = expr;
+        loop {
+            let map: HashMap<Symbol, Expr> = self
+                .g
+                .symbols_in(&[expr])
+                .into_iter()
+                .filter_map(|symbol| Some((symbol, *self.values.get(&symbol)?)))
+                .collect();
+            if map.is_empty() {
+                return expr;
+            }
+            expr = self.g.substitute(expr, &map);
+        }
+    }
+
     /// Running values to assembled ones, for all variables known so far.
     pub(in super::super) fn assembled_map(&self) -> HashMap<Symbol, Expr> {
         self.variables

@@ -10,7 +10,7 @@ use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::equations::Line;
 use crate::model::BodyId;
-use crate::structure::Way;
+use crate::structure::{Way, joints_named};
 use crate::symbolic::{Evaluator, Expr, Function};
 
 use super::super::Derivation;
@@ -79,10 +79,11 @@ impl Derivation<'_> {
             return None;
         }
         let turned = (known.quarter + 4 - unknown.quarter) % 4;
-        let opposite = self.g.neg(known.magnitude);
-        let quarter = if unknown.magnitude == opposite {
+        let [own, other] = [unknown, known].map(|part| self.in_params(part.magnitude));
+        let opposite = self.g.neg(other);
+        let quarter = if own == opposite {
             turned
-        } else if unknown.magnitude == known.magnitude {
+        } else if own == other {
             (turned + 2) % 4
         } else {
             return None;
@@ -213,7 +214,11 @@ impl Derivation<'_> {
 
     /// A loop with fewer than two unknowns must hold by itself.
     pub(super) fn redundant(&mut self, way: &Way, unknown: Option<BodyId>) {
-        let sum = self.around(way);
+        let mut sum = self.around(way);
+        sum.retain(|part| {
+            let size = self.in_params(part.magnitude);
+            !self.g.is_zero(size)
+        });
         let holds = match unknown {
             None => sum.is_empty(),
             Some(body) => match sum.as_slice() {
@@ -232,14 +237,16 @@ impl Derivation<'_> {
             },
         };
         let name = self.way_name(way);
-        let bodies: Vec<BodyId> = unknown.into_iter().collect();
-        let site = self.model.source.site(self.way_span(way, &bodies));
+        let closing: Vec<BodyId> = unknown.into_iter().collect();
+        let span = self.way_span(way, &closing);
+        let around = self.structure.way_bodies(way);
+        let joints = joints_named(self.model, &around);
         if holds {
-            self.warnings.push(
-                Diagnostic::warning(format!("the loop {name} is redundant: it holds because opposite sides are equal"))
-                    .at(site)
-                    .hint("the mechanism moves as without it; its forces share the load in a way that rigid links cannot tell"),
-            );
+            let warning = Diagnostic::warning(format!(
+                "the loop {name} is redundant: of {joints} one is too many, but opposite sides are equal"
+            ))
+            .hint("the mechanism moves as without it; its forces share the load in a way that rigid links cannot tell");
+            self.warnings.push(self.model.source.blame(span, warning));
             return;
         }
         if let Some(body) = unknown
@@ -252,16 +259,78 @@ impl Derivation<'_> {
                 self.define(symbol, zero, "");
             }
         }
+        let equal = match sum.as_slice() {
+            [a, b] if unknown.is_some() => self.equal_in_value(a, b),
+            _ => None,
+        };
         let fits = unknown.is_none() && self.fits_by_default(&sum);
-        let error = Diagnostic::error(format!(
-            "the loop {name} is over-constrained: its bodies cannot move against each other"
-        ))
-        .at(site);
-        self.errors.push(if fits {
-            error.hint("it fits with these values only: let opposite sides share their params, so that it fits with all")
-        } else {
-            error.hint("remove a link or a pin of this loop, or let it be a parallelogram whose opposite sides share their params")
-        });
+        let hint = match equal {
+            Some(equal) => format!(
+                "{equal}: let the two share one param, so that they are equal with all values"
+            ),
+            None if fits => "it fits with these values only: let opposite sides share their params, so that it fits with all".to_owned(),
+            None => "remove a link or a pin of this loop, or let it be a parallelogram whose opposite sides share their params".to_owned(),
+        };
+        self.fault(
+            span,
+            format!("the loop {name} is over-constrained by {joints}: its bodies cannot move against each other"),
+            hint,
+        );
+    }
+
+    /// Whether two vectors are equally long with the default params, but not as expressions: what to
+    /// say of it.
+    pub(super) fn equal_in_value(&mut self, a: &Turned, b: &Turned) -> Option<String> {
+        if a.slide.is_some() || b.slide.is_some() {
+            return None;
+        }
+        if self.are_equal(a, b) {
+            return None;
+        }
+        let [one, other] = [a, b].map(|part| self.by_default(part.magnitude).abs());
+        let written = |this: &mut Self, part: &Turned| {
+            let opposite = this.g.neg(part.magnitude);
+            let symbol = this
+                .g
+                .as_symbol(part.magnitude)
+                .or(this.g.as_symbol(opposite));
+            let link = part.link.map(|link| &this.model.bodies[link].name);
+            match (symbol, link) {
+                (Some(symbol), _) => format!("`{}`", this.g.symbol_text(symbol)),
+                (None, Some(link)) => format!("the length on `{link}`"),
+                (None, None) => "the distance on ground".to_owned(),
+            }
+        };
+        let is_near = (one - other).abs() <= 1e-9 * one;
+        is_near.then(|| {
+            format!(
+                "{} and {} are equal in their present values only",
+                written(self, a),
+                written(self, b)
+            )
+        })
+    }
+
+    fn are_equal(&mut self, a: &Turned, b: &Turned) -> bool {
+        let [a, b] = [a, b].map(|part| self.in_params(part.magnitude));
+        a == b || a == self.g.neg(b)
+    }
+
+    /// The opposite sides of a loop that are equal in value only, if each side has its opposite.
+    pub(super) fn nearly_parallelogram(&mut self, sum: &[Turned]) -> Option<String> {
+        let [a, b, c, d] = sum else {
+            return None;
+        };
+        let mut said = Vec::new();
+        for [one, other] in [[a, c], [b, d]] {
+            let is_same = self.are_equal(one, other);
+            match self.equal_in_value(one, other) {
+                Some(equal) => said.push(equal),
+                None if is_same && one.slide.is_none() && other.slide.is_none() => {}
+                None => return None,
+            }
+        }
+        (!said.is_empty()).then(|| said.join(", "))
     }
 
     /// Whether a sum of vectors vanishes in the assembled configuration with the default params.
@@ -279,7 +348,7 @@ impl Derivation<'_> {
     }
 
     /// Value of an expression of params with their defaults.
-    pub(super) fn by_default(&self, expr: Expr) -> f64 {
+    pub(crate) fn by_default(&self, expr: Expr) -> f64 {
         let mut evaluator = Evaluator::new(&self.g);
         for param in &self.model.params {
             evaluator.define(param.symbol, param.default);

@@ -3,16 +3,18 @@
 
 use std::collections::HashMap;
 
-use flexure_runtime::diagnostic::Diagnostic;
-
 use crate::equations::{Direction, Discrete, Line, Loop, Shown, ShownUnit};
-use crate::structure::{Way, turning_link};
+use crate::model::{BodyId, Pin};
+use crate::structure::{Way, bodies_named, coordinate_named, turning_link};
 use crate::symbolic::{Expr, Function, Symbol};
 
 use super::super::Derivation;
 use super::super::names::subscript;
 use super::dyad::{Dyad, Solution};
 use super::variables::{Dependent, Kind};
+
+/// By how little, in rad or m, a drawing is to one side so that it is to neither.
+const BETWEEN: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// Defines all that was found, with running values and as assembled.
@@ -62,7 +64,7 @@ impl Derivation<'_> {
             .symbols_in(&dyad.steps.iter().map(|s| s.1).collect::<Vec<_>>())
             .contains(&dyad.branch)
         {
-            self.branch(&dyad, side);
+            self.branch(&dyad, side, closure, name);
         }
         for (symbol, value, words) in &dyad.steps {
             self.define(*symbol, *value, words.clone());
@@ -193,18 +195,28 @@ impl Derivation<'_> {
     }
 
     /// Which of two ways a loop can close is as drawn.
-    fn branch(&mut self, dyad: &Dyad<'_>, side: Option<Expr>) {
+    fn branch(&mut self, dyad: &Dyad<'_>, side: Option<Expr>, closure: Expr, name: &str) {
         let Some(side) = side else {
             let body = &self.model.bodies[dyad.unknowns[0].body];
-            let error = Diagnostic::error(format!(
-                "`{}` needs an angle or a place: the loop can close in two ways",
-                body.name
-            ))
-            .at(self.model.source.site(body.span))
-            .hint("add `angle = …` to a link or `at = …` to a slide, as you see it in the drawing; it need not be exact");
-            self.errors.push(error);
+            self.fault(
+                body.span,
+                format!("`{}` needs an angle or a place: the loop {name} can close in two ways", body.name),
+                "add `angle = …` to a link or `at = …` to a slide, as you see it in the drawing; it need not be exact",
+            );
             return;
         };
+        let is_between = self.by_default(side).abs() < BETWEEN;
+        if is_between && self.by_default(closure) > BETWEEN {
+            let bodies = dyad.unknowns.clone().map(|unknown| unknown.body);
+            self.fault(
+                self.model.bodies[bodies[0]].span,
+                format!(
+                    "{} are drawn right between the two ways in which the loop {name} can close",
+                    bodies_named(self.model, &bodies)
+                ),
+                "draw them on the side on which they stand: change an `angle` or an `at`; it need not be exact",
+            );
+        }
         let (plus, minus) = (self.g.one(), self.g.integer(-1));
         let sign = self.g.function(Function::IfPositive, &[side, plus, minus]);
         self.branches.push((dyad.branch, side));
@@ -273,12 +285,51 @@ impl Derivation<'_> {
         self.check(closure, true, failure);
         let threshold = self.g.ratio(1, 1_000_000_000_000);
         let margin = self.g.sub(closure, threshold);
+        let stands = self.dead_point(dyad);
+        let way_out = self.out_of_dead_point(dyad);
         let failure = self.failure(
-            format!("the loop {name} stands at a dead point:{at} two of its links lie in one line"),
-            "assemble it in another configuration: change an angle or a length",
+            format!("the loop {name} stands at a dead point:{at} {stands}"),
+            way_out,
             span,
             values,
         );
         self.check(margin, false, failure);
+    }
+
+    /// How the bodies that close a loop stand where they do not determine it.
+    fn dead_point(&self, dyad: &Dyad<'_>) -> String {
+        let bodies = dyad.unknowns.clone().map(|unknown| unknown.body);
+        let [a, b] = bodies.map(|body| &self.model.bodies[body].name);
+        match dyad.unknowns.clone().map(|unknown| unknown.kind) {
+            [Kind::Angle, Kind::Angle] if self.are_pinned(bodies) => {
+                format!("the joints of `{a}` and `{b}` lie in one line")
+            }
+            [Kind::Angle, Kind::Angle] => {
+                format!("the joints of `{a}` and of `{b}` lie in parallel lines")
+            }
+            [Kind::Position, Kind::Position] => {
+                format!("the guides of `{a}` and `{b}` are parallel")
+            }
+            [Kind::Angle, Kind::Position] => format!("`{a}` stands square to the guide of `{b}`"),
+            [Kind::Position, Kind::Angle] => format!("`{b}` stands square to the guide of `{a}`"),
+        }
+    }
+
+    fn are_pinned(&self, bodies: [BodyId; 2]) -> bool {
+        let on = |body: &BodyId, pin: &Pin| pin.members.iter().any(|(member, _)| member == body);
+        let pins = &self.model.pins;
+        pins.iter()
+            .any(|pin| bodies.iter().all(|body| on(body, pin)))
+    }
+
+    fn out_of_dead_point(&mut self, dyad: &Dyad<'_>) -> String {
+        let other = coordinate_named(self.model, dyad.unknowns[0].body);
+        let hint = match self.nearly_parallelogram(dyad.sum) {
+            Some(equal) => {
+                format!("{equal}: let opposite sides share their params, then they stay parallel")
+            }
+            None => "assemble it in another configuration: change an angle or a length".to_owned(),
+        };
+        format!("{hint}; or ask for the coordinate {other}, if that leads it through")
     }
 }

@@ -9,11 +9,9 @@
 
 use std::collections::HashMap;
 
-use flexure_runtime::diagnostic::Diagnostic;
-
 use crate::equations::{Line, Loop, Solve};
 use crate::model::BodyId;
-use crate::structure::Way;
+use crate::structure::{Way, bodies_named, joints_named};
 use crate::symbolic::{Expr, Function, Symbol};
 
 use super::super::Derivation;
@@ -53,11 +51,23 @@ impl Derivation<'_> {
         let order = self.pivot_order(&residuals, &unknowns);
         let Some((rows, columns)) = order else {
             let span = self.way_span(&ways[0], bodies);
-            let error =
-                Diagnostic::error(format!("the loops {name} stand at a dead point as drawn"))
-                    .at(self.model.source.site(span))
-                    .hint("assemble them in another configuration: change an angle or a length");
-            self.errors.push(error);
+            let joints = joints_named(self.model, bodies);
+            if self.is_led(ways, bodies) {
+                self.fault(
+                    span,
+                    format!(
+                        "the loops {name} stand at a dead point as drawn: {joints} do not hold {}",
+                        bodies_named(self.model, bodies)
+                    ),
+                    "assemble them in another configuration: change an angle or a length",
+                );
+            } else {
+                self.fault(
+                    span,
+                    format!("{} are over-constrained by {joints}: they have no freedom, and as drawn do not hold one another either", bodies_named(self.model, bodies)),
+                    "remove a link or a pin between them; a further parallel leg shares its params with the others",
+                );
+            }
             return;
         };
         self.run_together(
@@ -109,13 +119,14 @@ impl Derivation<'_> {
                 (None, Kind::Position) => self.g.zero(),
                 (None, Kind::Angle) => {
                     let body = &self.model.bodies[unknown.body];
-                    let error = Diagnostic::error(format!(
-                        "`{}` needs an angle: its loops close in several ways",
-                        body.name
-                    ))
-                    .at(self.model.source.site(body.span))
-                    .hint("add `angle = …` as you see it in the drawing; it need not be exact");
-                    self.errors.push(error);
+                    self.fault(
+                        body.span,
+                        format!(
+                            "`{}` needs an angle: its loops close in several ways",
+                            body.name
+                        ),
+                        "add `angle = …` as you see it in the drawing; it need not be exact",
+                    );
                     self.g.zero()
                 }
             };

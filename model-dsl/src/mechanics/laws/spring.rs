@@ -1,7 +1,5 @@
 //! Springs, dampers and stacks: a force along the line between two ends, or along a direction.
 
-use flexure_runtime::diagnostic::Diagnostic;
-
 use crate::model::{Axis, BodyKind, End, GROUND, Local, Measure, Spring};
 use crate::notation::latex_of;
 use crate::symbolic::{Expr, Symbol};
@@ -291,14 +289,13 @@ impl Derivation<'_> {
             (first, second) if first == carrier && second == slide => travel,
             (first, second) if first == slide && second == carrier => self.g.neg(travel),
             _ => {
-                let site = self.model.source.site(spring.span);
-                self.errors.push(
-                    Diagnostic::error(format!(
+                self.fault(
+                    spring.span,
+                    format!(
                         "`{}` acts along a guide that turns, between bodies that are not this slide and its carrier",
                         spring.name
-                    ))
-                    .at(site)
-                    .hint("let it act along the line between two points: name a point at each end"),
+                    ),
+                    "let it act along the line between two points: name a point at each end",
                 );
                 travel
             }
@@ -327,15 +324,13 @@ impl Derivation<'_> {
                     | Measure::HingeAngle(_)
             );
             if !smooth {
-                let site = self.model.source.site(spring.span);
-                let name = used.name.clone();
-                self.errors.push(
-                    Diagnostic::error(format!(
-                        "the expansion of `{}` uses `{name}`, but its damper needs the expansion's rate",
-                        spring.name
-                    ))
-                    .at(site)
-                    .hint("use positions and time only, or leave out `damping`"),
+                self.fault(
+                    spring.span,
+                    format!(
+                        "the expansion of `{}` uses `{}`, but its damper needs the expansion's rate",
+                        spring.name, used.name
+                    ),
+                    "use positions and time only, or leave out `damping`",
                 );
             }
         }

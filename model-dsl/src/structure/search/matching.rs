@@ -7,11 +7,11 @@
 use std::collections::VecDeque;
 
 use super::{BodyId, Search, Way};
-use crate::structure::{Structure, turning_link};
+use crate::structure::turning_link;
 
 impl Search<'_> {
     /// Whether the loops that are left can do without a variable.
-    pub(super) fn can_spare(&self, bodies: &[BodyId], spared: BodyId) -> bool {
+    pub(in crate::structure) fn can_spare(&self, bodies: &[BodyId], spared: BodyId) -> bool {
         let equations = self.equations(bodies, spared);
         let mut matching = Matching {
             taken: vec![None; self.known.len()],
@@ -34,12 +34,7 @@ impl Search<'_> {
             .drain(before..)
             .flat_map(|step| step.ways().to_vec())
             .collect();
-        let structure = Structure {
-            attachments: trial.attachments(),
-            coordinates: Vec::new(),
-            asked: Vec::new(),
-            steps: Vec::new(),
-        };
+        let structure = trial.so_far();
         let mut equations = Vec::new();
         for way in ways {
             let passed = structure.way_bodies(&way);

@@ -1,0 +1,6 @@
+// A point mass has no inertia for the third of three coordinates.
+model faulty
+ground O = (0 mm, 0 mm)
+link a from O to A { length = 20 mm, angle = 0 deg }
+link b from A to B { length = 20 mm, angle = 90 deg }
+link c from B to C { length = 20 mm, angle = 30 deg, mass = 0 g, mass at C = 1 g }
