@@ -98,6 +98,13 @@ const TRIALS: [Trial; 16] = [
         smooth: true,
     },
     Trial {
+        name: "n_windows_40",
+        until: 1.0,
+        step: 5e-3,
+        halvings: 3,
+        smooth: true,
+    },
+    Trial {
         name: "parallelogram_stage",
         until: 0.05,
         step: 2e-4,

@@ -123,7 +123,7 @@ pub mod bridge_amplifier {
             let X1_0 = -l_cos_φ1_0;
             let t1 = l_squared - X1_0 * X1_0;
             let t2 = t1 / l_squared;
-            let t3 = l_squared_ma + I1 + I1;
+            let l_squared_ma_plus_two_I1 = l_squared_ma + I1 * 2.0;
             // distance of the centre of mass from the first end of lower_left
             let r1 = l * 0.5;
             let ma_r1_squared = ma * (r1 * r1);
@@ -131,32 +131,33 @@ pub mod bridge_amplifier {
             let r1_minus_l = r1 - l;
             let ma_r1_minus_l_squared = ma * (r1_minus_l * r1_minus_l);
             // constant of the inertia
-            let C0 = t3 + ma_r1_squared + l_squared_mb + ma_r1_minus_l_squared;
+            let C0 = l_squared_ma_plus_two_I1 + ma_r1_squared + l_squared_mb
+                + ma_r1_minus_l_squared;
             // constant of the inertia
-            let C1 = t3 + l_squared_mb + ma_r1_squared + ma_r1_minus_l_squared;
+            let C1 = l_squared_ma_plus_two_I1 + l_squared_mb + ma_r1_squared
+                + ma_r1_minus_l_squared;
             let P1_0 = l * sin_φ1_0;
             let height = l * rise.sin();
-            let t4 = rise + 3.141592653589793;
+            let t3 = rise + 3.141592653589793;
             // which way the loop closes: as drawn
-            let s1 = (height * 2.0 - l * t4.sin() - P1_0).if_positive(1.0, -1.0);
+            let s1 = (height * 2.0 - l * t3.sin() - P1_0).if_positive(1.0, -1.0);
             // position of `table` as assembled
             let x_table_0 = P1_0 + s1 * t1.sqrt();
             let s3_0 = -((x_table_0 - P1_0) / l);
             let c3_0 = -(X1_0 / l);
             // angle of `upper_left` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t4);
+            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t3);
             let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
             let sin_φ3_0_squared = sin_φ3_0 * sin_φ3_0;
             let φ1_0_minus_φ3_0 = φ1_0 - φ3_0;
             let (sin_φ1_0_minus_φ3_0, cos_φ1_0_minus_φ3_0) = φ1_0_minus_φ3_0
                 .sin_cos();
-            let t5 = l_squared * mo * (sin_φ1_0_minus_φ3_0 * sin_φ1_0_minus_φ3_0)
+            let t4 = l_squared * mo * (sin_φ1_0_minus_φ3_0 * sin_φ1_0_minus_φ3_0)
                 / sin_φ3_0_squared;
-            let two_l_ma_l_minus_r1 = l * ma * (l - r1) * 2.0;
             // constant of the inertia
-            let C2 = -(two_l_ma_l_minus_r1 + two_l_ma_l_minus_r1);
+            let C2 = -(l * ma * (l - r1) * 4.0);
             // inertia as assembled
-            let A_lower_left_0 = C0 + sin_φ1_0 * sin_φ1_0 * C1 / sin_φ3_0_squared + t5
+            let A_lower_left_0 = C0 + sin_φ1_0 * sin_φ1_0 * C1 / sin_φ3_0_squared + t4
                 + sin_φ1_0 * C2 * cos_φ1_0_minus_φ3_0 / sin_φ3_0;
             let Δx_piezo_0 = -(l_cos_φ1_0 + l * cos_φ3_0);
             let Δy_piezo_0 = -(P1_0 + l * sin_φ3_0);
@@ -175,50 +176,20 @@ pub mod bridge_amplifier {
             if !(mb >= 0.0) {
                 return Err(FAILURES[3].diagnostic(&[mb]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[4].diagnostic(&[l]));
-            }
-            if !(ma >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[ma]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[6].diagnostic(&[I1]));
-            }
-            if !(mb >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mb]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[8].diagnostic(&[l]));
-            }
-            if !(ma >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[ma]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[I1]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[11].diagnostic(&[l]));
-            }
-            if !(ma >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[ma]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[I1]));
-            }
             if !(mo >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[mo]));
+                return Err(FAILURES[4].diagnostic(&[mo]));
             }
             if !(t2 >= 0.0) {
-                return Err(FAILURES[15].diagnostic(&[X1_0.abs() - l, φ1_0]));
+                return Err(FAILURES[5].diagnostic(&[X1_0.abs() - l, φ1_0]));
             }
             if !(t2 - 1e-12 > 0.0) {
-                return Err(FAILURES[16].diagnostic(&[X1_0.abs() - l, φ1_0]));
+                return Err(FAILURES[6].diagnostic(&[X1_0.abs() - l, φ1_0]));
             }
             if !(f >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[f]));
+                return Err(FAILURES[7].diagnostic(&[f]));
             }
             if !(A_lower_left_0 > 0.0) {
-                return Err(FAILURES[18].diagnostic(&[]));
+                return Err(FAILURES[8].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [φ1_0, 0.0],
@@ -238,6 +209,7 @@ pub mod bridge_amplifier {
                 C2,
                 c3_0,
                 s3_0,
+                two_k: k * 2.0,
                 φ3_0,
                 Δx_piezo_0,
                 Δy_piezo_0,
@@ -249,7 +221,6 @@ pub mod bridge_amplifier {
                 two_c: c * 2.0,
                 two_C1: C1 * 2.0,
                 two_mo: mo * 2.0,
-                two_k: k * 2.0,
                 _4_c: c * 4.0,
                 two_l: l * 2.0,
                 two_C2: C2 * 2.0,
@@ -299,6 +270,8 @@ pub mod bridge_amplifier {
         pub c3_0: T,
         /// `s3⁰`
         pub s3_0: T,
+        /// `2.0 * k`
+        pub two_k: T,
         /// `φ3⁰` angle of \`upper_left\` as assembled
         pub φ3_0: T,
         /// `Δx_piezo⁰`
@@ -321,8 +294,6 @@ pub mod bridge_amplifier {
         pub two_C1: T,
         /// `2.0 * mo`
         pub two_mo: T,
-        /// `2.0 * k`
-        pub two_k: T,
         /// `4.0 * c`
         pub _4_c: T,
         /// `2.0 * l`
@@ -357,6 +328,7 @@ pub mod bridge_amplifier {
                 C2: turn(self.C2),
                 c3_0: turn(self.c3_0),
                 s3_0: turn(self.s3_0),
+                two_k: turn(self.two_k),
                 φ3_0: turn(self.φ3_0),
                 Δx_piezo_0: turn(self.Δx_piezo_0),
                 Δy_piezo_0: turn(self.Δy_piezo_0),
@@ -368,7 +340,6 @@ pub mod bridge_amplifier {
                 two_c: turn(self.two_c),
                 two_C1: turn(self.two_C1),
                 two_mo: turn(self.two_mo),
-                two_k: turn(self.two_k),
                 _4_c: turn(self._4_c),
                 two_l: turn(self.two_l),
                 two_C2: turn(self.two_C2),
@@ -415,67 +386,63 @@ pub mod bridge_amplifier {
         let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
             + p.C2 * (ω3 * cos_φ1_minus_φ3);
         let φ4_minus_φ4_0 = φ1 - p.φ1_0;
-        let k_φ4_minus_φ4_0 = p.k * φ4_minus_φ4_0;
         let t2 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
         let φ3_minus_φ3_0 = t2.unwrap_to(turn_upper_left);
-        let k_ω3_φ3_minus_φ3_0 = p.k * (ω3 * φ3_minus_φ3_0);
         let ω3_minus_one = ω3 - 1.0;
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
-        let t3 = k_φ4_minus_φ4_0 + k_ω3_φ3_minus_φ3_0
+        let t3 = p.two_k * φ4_minus_φ4_0 + p.two_k * (ω3 * φ3_minus_φ3_0)
             + p.k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
-        let t4 = t3 + p.k * (ω3_minus_one * (φ3_minus_φ3_0 - φ4_minus_φ4_0))
-            + k_ω3_φ3_minus_φ3_0;
         // springs
-        let dP_s_dφ1 = t4 + k_φ4_minus_φ4_0;
+        let dP_s_dφ1 = t3 + p.k * (ω3_minus_one * (φ3_minus_φ3_0 - φ4_minus_φ4_0));
         let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
         let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
             .sin_cos();
-        let t5 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        let t4 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
         // angle of `upper_left`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
         let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
             .sin_cos();
-        let t6 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t7 = p.Δx_piezo_0 - t5 + t6;
-        let t8 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
-        let t9 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
-        let t10 = p.Δy_piezo_0 - t8 + t9;
-        let t11 = (t7 * t7 + t10 * t10).sqrt();
-        let t12 = p.L_piezo_0 + t11;
-        let t13 = p.two_Δx_piezo_0 - t5 + t6;
-        let t14 = t5 - t6;
-        let t15 = p.two_Δy_piezo_0 - t8 + t9;
-        let t16 = t8 - t9;
-        let t17 = t13 * t14 + t15 * t16;
-        let t18 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
+        let t5 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
+        let t6 = p.Δx_piezo_0 - t4 + t5;
+        let t7 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
+        let t8 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
+        let t9 = p.Δy_piezo_0 - t7 + t8;
+        let t10 = (t6 * t6 + t9 * t9).sqrt();
+        let t11 = p.L_piezo_0 + t10;
+        let t12 = p.two_Δx_piezo_0 - t4 + t5;
+        let t13 = t4 - t5;
+        let t14 = p.two_Δy_piezo_0 - t7 + t8;
+        let t15 = t7 - t8;
+        let t16 = t12 * t13 + t14 * t15;
+        let t17 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
         let A_x_minus_l_ω3_per_l_X1 = A_x - p.l * (ω3 * per_l_X1);
-        let t19 = t11.recip() * (t12 * t12).recip() * t17
-            * (t7 * t18 * 2.0 - t10 * A_x_minus_l_ω3_per_l_X1 * 2.0);
-        let t20 = t12.recip();
-        let t21 = t14 * t18 - t13 * t18 + t15 * A_x_minus_l_ω3_per_l_X1
-            - t16 * A_x_minus_l_ω3_per_l_X1;
-        let t22 = t19 * 0.5 - t20 * t21;
+        let t18 = t10.recip() * (t11 * t11).recip() * t16
+            * (t6 * t17 * 2.0 - t9 * A_x_minus_l_ω3_per_l_X1 * 2.0);
+        let t19 = t11.recip();
+        let t20 = t13 * t17 - t12 * t17 + t14 * A_x_minus_l_ω3_per_l_X1
+            - t15 * A_x_minus_l_ω3_per_l_X1;
+        let t21 = t18 * 0.5 - t19 * t20;
         let ω3_prime = -(p.per_l * (t1 * (A_x + p.l * (ω3_squared * per_l_X1))));
-        let t23 = t1
+        let t22 = t1
             * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
-        let ν_table_prime = -t23;
-        let t24 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
+        let ν_table_prime = -t22;
+        let t23 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
         // its derivative
-        let dA_dφ1 = t24 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
+        let dA_dφ1 = t23 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
             + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
         // ── state ──
-        let t25 = p.constant1 * t;
-        let (t26, t27) = t25.sin_cos();
+        let t24 = p.constant1 * t;
+        let (t25, t26) = t24.sin_cos();
         // drive `extension`
-        let extension = p.stroke * t26;
+        let extension = p.stroke * t25;
         // rate of the drive `extension`
-        let dextension = p.constant2 * t27;
+        let dextension = p.constant2 * t26;
         // force of `piezo` on its second end
-        let F_piezo = p.ks * (t20 * t17 + extension) + p.cs * (dextension - t22 * dφ1);
+        let F_piezo = p.ks * (t19 * t16 + extension) + p.cs * (dextension - t21 * dφ1);
         // generalized torque of all other forces
-        let τ = t22 * F_piezo - p.two_c * dφ1 - p.two_c * ω3_squared * dφ1
+        let τ = t21 * F_piezo - p.two_c * dφ1 - p.two_c * ω3_squared * dφ1
             - p.two_c * (ω3_minus_one * ω3_minus_one) * dφ1;
         let ddφ1 = -(A.recip() * (dP_s_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
         dx[0] = dφ1;
@@ -532,18 +499,16 @@ pub mod bridge_amplifier {
         // its derivative
         let dA_dφ1 = t4 + p.C2 * (sin_φ1_minus_φ3_ω3 * ω3_minus_one);
         let φ4_minus_φ4_0 = φ1 - p.φ1_0;
-        let k_φ4_minus_φ4_0 = p.k * φ4_minus_φ4_0;
         let t5 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
         let φ3_minus_φ3_0 = t5.unwrap_to(turn_upper_left);
-        let k_ω3_φ3_minus_φ3_0 = p.k * (ω3 * φ3_minus_φ3_0);
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
         let t6 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
-        let t7 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
-        let t8 = k_φ4_minus_φ4_0 + k_ω3_φ3_minus_φ3_0 + p.k * (ω3_minus_one * t6)
-            + p.k * (ω3_minus_one * t7);
+        let t7 = p.two_k * φ4_minus_φ4_0 + p.two_k * (ω3 * φ3_minus_φ3_0)
+            + p.k * (ω3_minus_one * t6);
+        let t8 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
         // springs
-        let dP_s_dφ1 = t8 + k_ω3_φ3_minus_φ3_0 + k_φ4_minus_φ4_0;
+        let dP_s_dφ1 = t7 + p.k * (ω3_minus_one * t8);
         let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
         let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
             .sin_cos();
@@ -582,11 +547,10 @@ pub mod bridge_amplifier {
         let ω3_minus_one_squared = ω3_minus_one * ω3_minus_one;
         let t32 = p.two_c * ω3_minus_one_squared;
         let per_A = A.recip();
-        let k_ω3_prime_φ3_minus_φ3_0 = p.k * (ω3_prime * φ3_minus_φ3_0);
-        let t33 = p.two_k + k_ω3_prime_φ3_minus_φ3_0 + p.two_k * ω3_squared
-            + p.k * (ω3_prime * t6);
-        let ddP_s_dφ1_dφ1 = t33 + p.two_k * ω3_minus_one_squared
-            + p.k * (ω3_prime * t7) + k_ω3_prime_φ3_minus_φ3_0;
+        let t33 = p.two_k + p.two_k * (ω3_prime * φ3_minus_φ3_0)
+            + p.two_k * ω3_squared;
+        let ddP_s_dφ1_dφ1 = t33 + p.k * (ω3_prime * t6)
+            + p.two_k * ω3_minus_one_squared + p.k * (ω3_prime * t8);
         let t34 = t20 * t28 * t30;
         let t35 = t27 * t27;
         let t36 = A_x - l_ω3_squared_per_l_X1
@@ -704,63 +668,63 @@ pub mod bridge_amplifier {
         let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
             + p.C2 * (ω3 * cos_φ1_minus_φ3);
         let φ4_minus_φ4_0 = φ1 - p.φ1_0;
-        let t2 = p.half_k * (φ4_minus_φ4_0 * φ4_minus_φ4_0);
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t2 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_upper_left);
-        let t4 = p.half_k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
+        let φ3_minus_φ3_0 = t2.unwrap_to(turn_upper_left);
+        let t3 = p.k * (φ4_minus_φ4_0 * φ4_minus_φ4_0)
+            + p.k * (φ3_minus_φ3_0 * φ3_minus_φ3_0);
         let φ1_0_minus_φ1 = p.φ1_0 - φ1;
-        let t5 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
-        let t6 = φ4_minus_φ4_0 - φ3_minus_φ3_0;
+        let t4 = φ1_0_minus_φ1 + φ3_minus_φ3_0;
+        let t5 = φ4_minus_φ4_0 - φ3_minus_φ3_0;
         let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
         let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
             .sin_cos();
-        let t7 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        let t6 = p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
         // angle of `upper_left`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
         let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
             .sin_cos();
-        let t8 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t9 = p.Δx_piezo_0 - t7 + t8;
-        let t10 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
-        let t11 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
-        let t12 = p.Δy_piezo_0 - t10 + t11;
-        let t13 = (t9 * t9 + t12 * t12).sqrt();
-        let t14 = p.L_piezo_0 + t13;
-        let t15 = t14.recip();
-        let t16 = p.two_Δx_piezo_0 - t7 + t8;
-        let t17 = t7 - t8;
-        let t18 = p.two_Δy_piezo_0 - t10 + t11;
-        let t19 = t10 - t11;
-        let t20 = t16 * t17 + t18 * t19;
+        let t7 = p.l * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
+        let t8 = p.Δx_piezo_0 - t6 + t7;
+        let t9 = p.l * (cos_half_φ1_plus_φ1_0 * (φ4_minus_φ4_0 * 0.5).sin() * 2.0);
+        let t10 = p.l * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0);
+        let t11 = p.Δy_piezo_0 - t9 + t10;
+        let t12 = (t8 * t8 + t11 * t11).sqrt();
+        let t13 = p.L_piezo_0 + t12;
+        let t14 = t13.recip();
+        let t15 = p.two_Δx_piezo_0 - t6 + t7;
+        let t16 = t6 - t7;
+        let t17 = p.two_Δy_piezo_0 - t9 + t10;
+        let t18 = t9 - t10;
+        let t19 = t15 * t16 + t17 * t18;
         let ω3_minus_one = ω3 - 1.0;
-        let t21 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
+        let t20 = P1 - p.l * (per_l_x_table_minus_P1 * ω3);
         let A_x_minus_l_ω3_per_l_X1 = A_x - p.l * (ω3 * per_l_X1);
-        let t22 = t13.recip() * (t14 * t14).recip() * t20
-            * (t9 * t21 * 2.0 - t12 * A_x_minus_l_ω3_per_l_X1 * 2.0);
-        let t23 = t17 * t21 - t16 * t21 + t18 * A_x_minus_l_ω3_per_l_X1
-            - t19 * A_x_minus_l_ω3_per_l_X1;
+        let t21 = t12.recip() * (t13 * t13).recip() * t19
+            * (t8 * t20 * 2.0 - t11 * A_x_minus_l_ω3_per_l_X1 * 2.0);
+        let t22 = t16 * t20 - t15 * t20 + t17 * A_x_minus_l_ω3_per_l_X1
+            - t18 * A_x_minus_l_ω3_per_l_X1;
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;
-        let t24 = p.constant1 * t;
-        let (t25, t26) = t24.sin_cos();
+        let t23 = p.constant1 * t;
+        let (t24, t25) = t23.sin_cos();
         // drive `extension`
-        let extension = p.stroke * t25;
-        let t27 = t15 * t20 + extension;
-        let t28 = t2 + t4 + p.half_k * (t5 * t5) + p.half_k * (t6 * t6) + t4 + t2
-            + p.half_ks * (t27 * t27);
-        let t29 = p.two_c * dφ1_squared + p.two_c * ω3_squared * dφ1_squared
+        let extension = p.stroke * t24;
+        let t26 = t14 * t19 + extension;
+        let t27 = t3 + p.half_k * (t4 * t4) + p.half_k * (t5 * t5)
+            + p.half_ks * (t26 * t26);
+        let t28 = p.two_c * dφ1_squared + p.two_c * ω3_squared * dφ1_squared
             + p.two_c * (ω3_minus_one * ω3_minus_one) * dφ1_squared;
-        let t30 = (t22 * 0.5 - t15 * t23) * dφ1;
+        let t29 = (t21 * 0.5 - t14 * t22) * dφ1;
         // rate of the drive `extension`
-        let dextension = p.constant2 * t26;
-        let t31 = t30 - dextension;
+        let dextension = p.constant2 * t25;
+        let t30 = t29 - dextension;
         // force of `piezo` on its second end
-        let F_piezo = p.ks * t27 + p.cs * (dextension - t30);
+        let F_piezo = p.ks * t26 + p.cs * (dextension - t29);
         result[0] = A * 0.5 * dφ1_squared;
-        result[1] = t28;
-        result[2] = t29 + p.cs * (t31 * t31);
+        result[1] = t27;
+        result[2] = t28 + p.cs * (t30 * t30);
         result[3] = dextension * F_piezo;
     }
     /// Event functions: each event happens where its function rises through zero.
@@ -1055,7 +1019,7 @@ pub mod bridge_amplifier {
     static INPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(2).0;
     static TURNING: [usize; 1] = [0];
-    static FAILURES: [Failure; 19] = [
+    static FAILURES: [Failure; 9] = [
         Failure {
             message: Cow::Borrowed("the length of `lower_left` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1111,146 +1075,6 @@ pub mod bridge_amplifier {
                 ),
             }),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 79,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upper_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 20,
-                column: 6,
-                width: 10,
-                excerpt: Cow::Borrowed(
-                    "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upper_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 20,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upper_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 20,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upper_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 21,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upper_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 21,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upper_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 21,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
             message: Cow::Borrowed("the mass of `table` is {0}"),

@@ -124,21 +124,20 @@ pub mod double_parallelogram_stage {
             let I_frame = outer * outer * mf * 0.08333333333333333;
             // moment of inertia about the centre of mass of stage
             let I_stage = inner * inner * ms * 0.08333333333333333;
+            let two_I1 = I1 * 2.0;
             // distance of the centre of mass from the first end of left
             let r1 = l * 0.5;
-            let ml_r1_squared = ml * (r1 * r1);
-            let t1 = l_squared_ml * 2.0 + I1 + I1 + ml_r1_squared + ml_r1_squared
-                + l_squared * mf;
+            let two_ml_r1_squared = ml * (r1 * r1) * 2.0;
             let l_squared_ms = l_squared * ms;
             // constant of the inertia
-            let C0 = t1 + l_squared_ms;
+            let C0 = l_squared_ml * 2.0 + two_I1 + two_ml_r1_squared + l_squared * mf
+                + l_squared_ms;
             // inertia as assembled
             let A_inner_left_0 = l_squared_ml * 0.6666666666666666 + l_squared_ms;
             // constant of the inertia
-            let C1 = I1 + I1 + ml_r1_squared + ml_r1_squared + l_squared_ms;
-            let two_l_ml_r1 = l * ml * r1 * 2.0;
+            let C1 = two_I1 + two_ml_r1_squared + l_squared_ms;
             // constant of the inertia
-            let C2 = two_l_ml_r1 + two_l_ml_r1 + l_squared_ms * 2.0;
+            let C2 = l * ml * r1 * 4.0 + l_squared_ms * 2.0;
             // second moment of area
             let I = b * (h * (h * h)) * 0.08333333333333333;
             // stiffness at either end of a leaf
@@ -154,56 +153,29 @@ pub mod double_parallelogram_stage {
             if !(I1 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I1]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I1]));
-            }
             if !(outer > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[outer]));
+                return Err(FAILURES[3].diagnostic(&[outer]));
             }
             if !(mf >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mf]));
+                return Err(FAILURES[4].diagnostic(&[mf]));
             }
             if !(I_frame >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I_frame]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[9].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[I1]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[12].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[I1]));
+                return Err(FAILURES[5].diagnostic(&[I_frame]));
             }
             if !(inner > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[inner]));
+                return Err(FAILURES[6].diagnostic(&[inner]));
             }
             if !(ms >= 0.0) {
-                return Err(FAILURES[16].diagnostic(&[ms]));
+                return Err(FAILURES[7].diagnostic(&[ms]));
             }
             if !(I_stage >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[I_stage]));
+                return Err(FAILURES[8].diagnostic(&[I_stage]));
             }
             if !(C0 > 0.0) {
-                return Err(FAILURES[18].diagnostic(&[]));
+                return Err(FAILURES[9].diagnostic(&[]));
             }
             if !(A_inner_left_0 > 0.0) {
-                return Err(FAILURES[19].diagnostic(&[]));
+                return Err(FAILURES[10].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.5707963267948966, 0.0, -1.5707963267948966, 0.0],
@@ -216,13 +188,16 @@ pub mod double_parallelogram_stage {
                 half_C2: C2 * 0.5,
                 C0_C1: C0 * C1,
                 k,
+                _3_k: k * 3.0,
                 constant1: f * 6.283185307179586,
                 l_push: l * push,
+                two_k: k * 2.0,
                 ddP_s_dφ1_dφ1,
                 margin,
                 half_C0: C0 * 0.5,
                 half_C1: C1 * 0.5,
                 half_k: k * 0.5,
+                constant2: k * 1.5,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -252,10 +227,14 @@ pub mod double_parallelogram_stage {
         pub C0_C1: T,
         /// `k` stiffness at either end of a leaf
         pub k: T,
+        /// `3.0 * k`
+        pub _3_k: T,
         /// `6.283185307179586 * f`
         pub constant1: T,
         /// `l * push`
         pub l_push: T,
+        /// `2.0 * k`
+        pub two_k: T,
         /// `∂∂P_s/∂φ1/∂φ1`
         pub ddP_s_dφ1_dφ1: T,
         /// `margin`
@@ -266,6 +245,8 @@ pub mod double_parallelogram_stage {
         pub half_C1: T,
         /// `0.5 * k`
         pub half_k: T,
+        /// `1.5 * k`
+        pub constant2: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -281,13 +262,16 @@ pub mod double_parallelogram_stage {
                 half_C2: turn(self.half_C2),
                 C0_C1: turn(self.C0_C1),
                 k: turn(self.k),
+                _3_k: turn(self._3_k),
                 constant1: turn(self.constant1),
                 l_push: turn(self.l_push),
+                two_k: turn(self.two_k),
                 ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 margin: turn(self.margin),
                 half_C0: turn(self.half_C0),
                 half_C1: turn(self.half_C1),
                 half_k: turn(self.half_k),
+                constant2: turn(self.constant2),
             }
         }
     }
@@ -315,25 +299,24 @@ pub mod double_parallelogram_stage {
         let det_left_inner_left = p.C0_C1 - M_left_inner_left * M_left_inner_left;
         let per_det_left_inner_left = det_left_inner_left.recip();
         let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.k * φ_right_minus_φ_right_0;
         // springs
-        let dP_s_dφ1 = t1 + t1 - p.k * (T::from_f64(1.5707963267948966) - φ1) + t1;
+        let dP_s_dφ1 = p._3_k * φ_right_minus_φ_right_0
+            - p.k * (T::from_f64(1.5707963267948966) - φ1);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
         let dM_left_inner_left_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        let t2 = φ2 + 1.5707963267948966;
-        let t3 = p.k * t2;
-        let t4 = p.k * (T::from_f64(-1.5707963267948966) - φ2);
+        let t1 = φ2 + 1.5707963267948966;
         // springs
-        let dP_s_dφ2 = t3 - t4 - t4 + t3;
+        let dP_s_dφ2 = p.two_k * t1
+            - p.two_k * (T::from_f64(-1.5707963267948966) - φ2);
         // ── state ──
-        let t5 = (p.constant1 * t).sin();
+        let t2 = (p.constant1 * t).sin();
         // centrifugal and Coriolis terms
         let h_left = dM_left_inner_left_dφ2 * (dφ2 * dφ2);
-        let t6 = dP_s_dφ1 + p.l_push * sin_φ1 * t5 + h_left;
-        let t7 = dP_s_dφ2 + p.l_push * sin_φ2 * t5
+        let t3 = dP_s_dφ1 + p.l_push * sin_φ1 * t2 + h_left;
+        let t4 = dP_s_dφ2 + p.l_push * sin_φ2 * t2
             - dM_left_inner_left_dφ2 * (dφ1 * dφ1);
-        let ddφ1 = -(per_det_left_inner_left * (p.C1 * t6 - M_left_inner_left * t7));
-        let ddφ2 = -(per_det_left_inner_left * (p.C0 * t7 - M_left_inner_left * t6));
+        let ddφ1 = -(per_det_left_inner_left * (p.C1 * t3 - M_left_inner_left * t4));
+        let ddφ2 = -(per_det_left_inner_left * (p.C0 * t4 - M_left_inner_left * t3));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -369,55 +352,54 @@ pub mod double_parallelogram_stage {
             * 2.0);
         let t2 = t1 * ddet_left_inner_left_dφ1;
         let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t3 = p.k * φ_right_minus_φ_right_0;
         // springs
-        let dP_s_dφ1 = t3 + t3 - p.k * (T::from_f64(1.5707963267948966) - φ1) + t3;
-        let t4 = φ2 + 1.5707963267948966;
-        let t5 = p.k * t4;
-        let t6 = p.k * (T::from_f64(-1.5707963267948966) - φ2);
+        let dP_s_dφ1 = p._3_k * φ_right_minus_φ_right_0
+            - p.k * (T::from_f64(1.5707963267948966) - φ1);
+        let t3 = φ2 + 1.5707963267948966;
         // springs
-        let dP_s_dφ2 = t5 - t6 - t6 + t5;
+        let dP_s_dφ2 = p.two_k * t3
+            - p.two_k * (T::from_f64(-1.5707963267948966) - φ2);
         let per_det_left_inner_left = det_left_inner_left.recip();
-        let t7 = M_left_inner_left * per_det_left_inner_left;
+        let t4 = M_left_inner_left * per_det_left_inner_left;
         let C2_sin_φ1_minus_φ2 = p.C2 * sin_φ1_minus_φ2;
         let ddet_left_inner_left_dφ2 = -(M_left_inner_left * dM_left_inner_left_dφ2
             * 2.0);
-        let t8 = t1 * ddet_left_inner_left_dφ2;
+        let t5 = t1 * ddet_left_inner_left_dφ2;
         // ── state ──
-        let t9 = (p.constant1 * t).sin();
+        let t6 = (p.constant1 * t).sin();
         let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
         let h_left = dM_left_inner_left_dφ2 * dφ2_squared;
-        let t10 = dP_s_dφ1 + p.l_push * sin_φ1 * t9 + h_left;
+        let t7 = dP_s_dφ1 + p.l_push * sin_φ1 * t6 + h_left;
         let dφ1_squared = dφ1 * dφ1;
-        let t11 = dP_s_dφ2 + p.l_push * sin_φ2 * t9
+        let t8 = dP_s_dφ2 + p.l_push * sin_φ2 * t6
             - dM_left_inner_left_dφ2 * dφ1_squared;
-        let t12 = p.C1 * t10 - M_left_inner_left * t11;
+        let t9 = p.C1 * t7 - M_left_inner_left * t8;
         let dh_left_dφ1 = M_left_inner_left * dφ2_squared;
-        let t13 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ1 * t9 + dh_left_dφ1;
+        let t10 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ1 * t6 + dh_left_dφ1;
         let dh_inner_left_dφ2 = M_left_inner_left * dφ1_squared;
         let dh_inner_left_dφ1 = -dh_inner_left_dφ2;
-        let t14 = dM_left_inner_left_dφ1 * t11 - p.C1 * t13
+        let t11 = dM_left_inner_left_dφ1 * t8 - p.C1 * t10
             + M_left_inner_left * dh_inner_left_dφ1;
-        let dddφ1_dφ1 = t2 * t12 + per_det_left_inner_left * t14;
+        let dddφ1_dφ1 = t2 * t9 + per_det_left_inner_left * t11;
         let dh_inner_left_ddφ1 = -(C2_sin_φ1_minus_φ2 * dφ1);
-        let dddφ1_ddφ1 = t7 * dh_inner_left_ddφ1;
+        let dddφ1_ddφ1 = t4 * dh_inner_left_ddφ1;
         let dh_left_dφ2 = -dh_left_dφ1;
-        let t15 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ2 * t9 + dh_inner_left_dφ2;
-        let t16 = dM_left_inner_left_dφ2 * t11 - p.C1 * dh_left_dφ2
-            + M_left_inner_left * t15;
-        let dddφ1_dφ2 = t8 * t12 + per_det_left_inner_left * t16;
+        let t12 = p.ddP_s_dφ1_dφ1 + p.l_push * cos_φ2 * t6 + dh_inner_left_dφ2;
+        let t13 = dM_left_inner_left_dφ2 * t8 - p.C1 * dh_left_dφ2
+            + M_left_inner_left * t12;
+        let dddφ1_dφ2 = t5 * t9 + per_det_left_inner_left * t13;
         let dh_left_ddφ2 = C2_sin_φ1_minus_φ2 * dφ2;
         let dddφ1_ddφ2 = -(p.C1 * per_det_left_inner_left * dh_left_ddφ2);
-        let t17 = p.C0 * t11 - M_left_inner_left * t10;
-        let t18 = dM_left_inner_left_dφ1 * t10 - p.C0 * dh_inner_left_dφ1
-            + M_left_inner_left * t13;
-        let dddφ2_dφ1 = t2 * t17 + per_det_left_inner_left * t18;
+        let t14 = p.C0 * t8 - M_left_inner_left * t7;
+        let t15 = dM_left_inner_left_dφ1 * t7 - p.C0 * dh_inner_left_dφ1
+            + M_left_inner_left * t10;
+        let dddφ2_dφ1 = t2 * t14 + per_det_left_inner_left * t15;
         let dddφ2_ddφ1 = -(p.C0 * per_det_left_inner_left * dh_inner_left_ddφ1);
-        let t19 = dM_left_inner_left_dφ2 * t10 - p.C0 * t15
+        let t16 = dM_left_inner_left_dφ2 * t7 - p.C0 * t12
             + M_left_inner_left * dh_left_dφ2;
-        let dddφ2_dφ2 = t8 * t17 + per_det_left_inner_left * t19;
-        let dddφ2_ddφ2 = t7 * dh_left_ddφ2;
+        let dddφ2_dφ2 = t5 * t14 + per_det_left_inner_left * t16;
+        let dddφ2_ddφ2 = t4 * dh_left_ddφ2;
         result[1] = T::from_f64(1.0);
         result[4] = dddφ1_dφ1;
         result[5] = dddφ1_ddφ1;
@@ -470,20 +452,19 @@ pub mod double_parallelogram_stage {
         // inertia
         let M_left_inner_left = p.half_C2 * cos_φ1_minus_φ2;
         let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.half_k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0);
-        let t2 = T::from_f64(1.5707963267948966) - φ1;
-        let t3 = p.half_k * (t2 * t2);
-        let t4 = φ2 + 1.5707963267948966;
-        let t5 = p.half_k * (t4 * t4);
-        let t6 = T::from_f64(-1.5707963267948966) - φ2;
+        let t1 = T::from_f64(1.5707963267948966) - φ1;
+        let t2 = p.k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0)
+            + p.k * (t1 * t1);
+        let t3 = φ2 + 1.5707963267948966;
+        let t4 = T::from_f64(-1.5707963267948966) - φ2;
         // ── state ──
-        let t7 = p.half_C0 * (dφ1 * dφ1) + p.half_C1 * (dφ2 * dφ2)
+        let t5 = p.half_C0 * (dφ1 * dφ1) + p.half_C1 * (dφ2 * dφ2)
             + M_left_inner_left * (dφ1 * dφ2);
-        let t8 = (p.constant1 * t).sin() * (p.l * sin_φ1 * dφ1 + p.l * sin_φ2 * dφ2);
-        result[0] = t7;
-        result[1] = t1 + t1 + t3 + t3 + t5 + t5 + p.half_k * (t6 * t6) + t5;
+        let t6 = (p.constant1 * t).sin() * (p.l * sin_φ1 * dφ1 + p.l * sin_φ2 * dφ2);
+        result[0] = t5;
+        result[1] = t2 + p.constant2 * (t3 * t3) + p.half_k * (t4 * t4);
         result[2] = T::from_f64(0.0);
-        result[3] = -(p.push * t8);
+        result[3] = -(p.push * t6);
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]
@@ -758,7 +739,7 @@ pub mod double_parallelogram_stage {
     static INPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(2).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 20] = [
+    static FAILURES: [Failure; 11] = [
         Failure {
             message: Cow::Borrowed("the length of `left` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -802,48 +783,6 @@ pub mod double_parallelogram_stage {
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
-            message: Cow::Borrowed("the length of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 21,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 21,
-                column: 66,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 21,
-                column: 66,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
             message: Cow::Borrowed("the length of `frame` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
@@ -881,90 +820,6 @@ pub mod double_parallelogram_stage {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `inner_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 26,
-                column: 6,
-                width: 10,
-                excerpt: Cow::Borrowed(
-                    "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `inner_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 26,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `inner_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 26,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `inner_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 27,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `inner_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 27,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `inner_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 27,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),

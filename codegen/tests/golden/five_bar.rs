@@ -189,40 +189,22 @@ pub mod five_bar {
             if !(I1 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I1]));
             }
-            if !(l1 > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l1]));
-            }
-            if !(m1 >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[m1]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I1]));
-            }
             if !(l2 > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l2]));
+                return Err(FAILURES[3].diagnostic(&[l2]));
             }
             if !(m2 >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[m2]));
+                return Err(FAILURES[4].diagnostic(&[m2]));
             }
             if !(I3 >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I3]));
+                return Err(FAILURES[5].diagnostic(&[I3]));
             }
             if !(mt >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[mt]));
-            }
-            if !(l2 > 0.0) {
-                return Err(FAILURES[10].diagnostic(&[l2]));
-            }
-            if !(m2 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[m2]));
-            }
-            if !(I3 >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[I3]));
+                return Err(FAILURES[6].diagnostic(&[mt]));
             }
             if !(t2 >= 0.0) {
                 let sqrt_D_0 = D_0.sqrt();
                 return Err(
-                    FAILURES[13]
+                    FAILURES[7]
                         .diagnostic(
                             &[
                                 (sqrt_D_0 - l2 * 2.0).larger(-sqrt_D_0),
@@ -236,7 +218,7 @@ pub mod five_bar {
             if !(t2 - 1e-12 > 0.0) {
                 let sqrt_D_0_2 = D_0.sqrt();
                 return Err(
-                    FAILURES[14]
+                    FAILURES[8]
                         .diagnostic(
                             &[
                                 (sqrt_D_0_2 - l2 * 2.0).larger(-sqrt_D_0_2),
@@ -248,10 +230,10 @@ pub mod five_bar {
                 );
             }
             if !(A_left_crank_0 > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[]));
+                return Err(FAILURES[9].diagnostic(&[]));
             }
             if !(A_right_crank_0 > 0.0) {
-                return Err(FAILURES[16].diagnostic(&[]));
+                return Err(FAILURES[10].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [2.0943951023931953, 0.0, 1.0471975511965976, 0.0],
@@ -1632,7 +1614,7 @@ pub mod five_bar {
     static INPUTS: &[Variable] = VARIABLES.split_at(17).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(17).1.split_at(2).0;
     static TURNING: [usize; 2] = [0, 1];
-    static FAILURES: [Failure; 17] = [
+    static FAILURES: [Failure; 11] = [
         Failure {
             message: Cow::Borrowed("the length of `left_crank` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1671,48 +1653,6 @@ pub mod five_bar {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `right_crank` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 16,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right_crank` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 16,
-                column: 71,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right_crank` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 16,
-                column: 71,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
@@ -1772,48 +1712,6 @@ pub mod five_bar {
                 ),
             }),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `right_coupler` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 18,
-                column: 6,
-                width: 13,
-                excerpt: Cow::Borrowed(
-                    "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right_coupler` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 18,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right_coupler` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 18,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
             message: Cow::Borrowed(

@@ -143,26 +143,26 @@ pub mod xy_stage {
             let I_frame = w_squared * mf * 0.08333333333333333;
             // moment of inertia about the centre of mass of platform
             let I_platform = w_squared * mp * 0.08333333333333333;
+            let two_I1 = I1 * 2.0;
             // distance of the centre of mass from the first end of left
             let r1 = l * 0.5;
-            let ml_r1_squared = ml * (r1 * r1);
-            let t1 = l_squared_ml * 2.0 + I1 + I1 + ml_r1_squared + ml_r1_squared
-                + l_squared * mf;
+            let two_ml_r1_squared = ml * (r1 * r1) * 2.0;
             let l_squared_mp = l_squared * mp;
             // constant of the inertia
-            let C0 = t1 + l_squared_mp;
+            let C0 = l_squared_ml * 2.0 + two_I1 + two_ml_r1_squared + l_squared * mf
+                + l_squared_mp;
             // inertia as assembled
             let A_lower_0 = l_squared_ml * 0.6666666666666666 + l_squared_mp;
             // constant of the inertia
-            let C1 = I1 + I1 + ml_r1_squared + ml_r1_squared + l_squared_mp;
-            let two_l_ml_r1 = l * ml * r1 * 2.0;
+            let C1 = two_I1 + two_ml_r1_squared + l_squared_mp;
             // constant of the inertia
-            let C2 = two_l_ml_r1 + two_l_ml_r1 + l_squared_mp * 2.0;
+            let C2 = l * ml * r1 * 4.0 + l_squared_mp * 2.0;
             // second moment of area
             let I = b * (h * (h * h)) * 0.08333333333333333;
             // stiffness at either end of a leaf
             let k = E * I * 4.51401 / L;
             let ddP_s_dφ1_dφ1 = k * 4.0;
+            let dF_y_stack_dφ1 = ks * 0.0;
             if !(l > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l]));
             }
@@ -172,62 +172,32 @@ pub mod xy_stage {
             if !(I1 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I1]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I1]));
-            }
             if !(w > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[w]));
+                return Err(FAILURES[3].diagnostic(&[w]));
             }
             if !(mf >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mf]));
+                return Err(FAILURES[4].diagnostic(&[mf]));
             }
             if !(I_frame >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I_frame]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[9].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[I1]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[12].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[I1]));
-            }
-            if !(w > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[w]));
+                return Err(FAILURES[5].diagnostic(&[I_frame]));
             }
             if !(mp >= 0.0) {
-                return Err(FAILURES[16].diagnostic(&[mp]));
+                return Err(FAILURES[6].diagnostic(&[mp]));
             }
             if !(I_platform >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[I_platform]));
+                return Err(FAILURES[7].diagnostic(&[I_platform]));
             }
             if !(fx >= 0.0) {
-                return Err(FAILURES[18].diagnostic(&[fx]));
+                return Err(FAILURES[8].diagnostic(&[fx]));
             }
             if !(fy >= 0.0) {
-                return Err(FAILURES[19].diagnostic(&[fy]));
+                return Err(FAILURES[9].diagnostic(&[fy]));
             }
             if !(C0 > 0.0) {
-                return Err(FAILURES[20].diagnostic(&[]));
+                return Err(FAILURES[10].diagnostic(&[]));
             }
             if !(A_lower_0 > 0.0) {
-                return Err(FAILURES[21].diagnostic(&[]));
+                return Err(FAILURES[11].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.5707963267948966, 0.0, 0.0, 0.0],
@@ -242,17 +212,19 @@ pub mod xy_stage {
                 half_C2: C2 * 0.5,
                 C0_C1: C0 * C1,
                 k,
+                _3_k: k * 3.0,
                 constant1: fx * 6.283185307179586,
                 constant2: stroke * fx * 6.283185307179586,
                 _4_c: c * 4.0,
+                ddP_s_dφ1_dφ1,
                 constant3: fy * 6.283185307179586,
                 constant4: stroke * fy * 6.283185307179586,
-                ddP_s_dφ1_dφ1,
                 l_cs: l * cs,
+                l_dF_y_stack_dφ1: l * dF_y_stack_dφ1,
                 half_C0: C0 * 0.5,
                 half_C1: C1 * 0.5,
-                half_k: k * 0.5,
                 half_ks: ks * 0.5,
+                two_k: k * 2.0,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -286,28 +258,32 @@ pub mod xy_stage {
         pub C0_C1: T,
         /// `k` stiffness at either end of a leaf
         pub k: T,
+        /// `3.0 * k`
+        pub _3_k: T,
         /// `6.283185307179586 * fx`
         pub constant1: T,
         /// `6.283185307179586 * stroke * fx`
         pub constant2: T,
         /// `4.0 * c`
         pub _4_c: T,
+        /// `∂∂P_s/∂φ1/∂φ1`
+        pub ddP_s_dφ1_dφ1: T,
         /// `6.283185307179586 * fy`
         pub constant3: T,
         /// `6.283185307179586 * stroke * fy`
         pub constant4: T,
-        /// `∂∂P_s/∂φ1/∂φ1`
-        pub ddP_s_dφ1_dφ1: T,
         /// `l * cs`
         pub l_cs: T,
+        /// `l * ∂F_y_stack/∂φ1`
+        pub l_dF_y_stack_dφ1: T,
         /// `0.5 * C0`
         pub half_C0: T,
         /// `0.5 * C1`
         pub half_C1: T,
-        /// `0.5 * k`
-        pub half_k: T,
         /// `0.5 * ks`
         pub half_ks: T,
+        /// `2.0 * k`
+        pub two_k: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -325,17 +301,19 @@ pub mod xy_stage {
                 half_C2: turn(self.half_C2),
                 C0_C1: turn(self.C0_C1),
                 k: turn(self.k),
+                _3_k: turn(self._3_k),
                 constant1: turn(self.constant1),
                 constant2: turn(self.constant2),
                 _4_c: turn(self._4_c),
+                ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 constant3: turn(self.constant3),
                 constant4: turn(self.constant4),
-                ddP_s_dφ1_dφ1: turn(self.ddP_s_dφ1_dφ1),
                 l_cs: turn(self.l_cs),
+                l_dF_y_stack_dφ1: turn(self.l_dF_y_stack_dφ1),
                 half_C0: turn(self.half_C0),
                 half_C1: turn(self.half_C1),
-                half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
+                two_k: turn(self.two_k),
             }
         }
     }
@@ -363,52 +341,50 @@ pub mod xy_stage {
         let det_left_lower = p.C0_C1 - M_left_lower * M_left_lower;
         let per_det_left_lower = det_left_lower.recip();
         let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.k * φ_right_minus_φ_right_0;
-        let t2 = T::from_f64(1.5707963267948966) - φ1;
+        let t1 = T::from_f64(1.5707963267948966) - φ1;
         // springs
-        let dP_s_dφ1 = t1 + t1 - p.k * t2 + t1;
+        let dP_s_dφ1 = p._3_k * φ_right_minus_φ_right_0 - p.k * t1;
         let l_sin_φ1 = p.l * sin_φ1;
-        let t3 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t4, t5) = t3.sin_cos();
+        let t2 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t3, t4) = t2.sin_cos();
         // displacement of `F1`
-        let x_F1 = p.l * (t4 * (t2 * 0.5).sin() * 2.0);
+        let x_F1 = p.l * (t3 * (t1 * 0.5).sin() * 2.0);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
         let dM_left_lower_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
-        let k_φ2 = p.k * φ2;
         // springs
-        let dP_s_dφ2 = k_φ2 + k_φ2 + k_φ2 + k_φ2;
+        let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         // displacement of `T`
-        let y_T = p.l * (t5 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
+        let y_T = p.l * (t4 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
         let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
         // ── state ──
-        let t6 = p.constant1 * t;
-        let (t7, t8) = t6.sin_cos();
+        let t5 = p.constant1 * t;
+        let (t6, t7) = t5.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t7;
+        let ux = p.stroke * t6;
         // rate of the drive `ux`
-        let dux = p.constant2 * t8;
+        let dux = p.constant2 * t7;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         // centrifugal and Coriolis terms
         let h_left = dM_left_lower_dφ2 * (dφ2 * dφ2);
-        let t9 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h_left;
-        let t10 = p.constant3 * t;
-        let (t11, t12) = t10.sin_cos();
+        let t8 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h_left;
+        let t9 = p.constant3 * t;
+        let (t10, t11) = t9.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t11;
+        let uy = p.stroke * t10;
         // rate of the drive `uy`
-        let duy = p.constant4 * t12;
+        let duy = p.constant4 * t11;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
         // generalized torque of all other forces
         let τ_2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
-        let t13 = dP_s_dφ2 - τ_2 - dM_left_lower_dφ2 * (dφ1 * dφ1);
-        let ddφ1 = -(per_det_left_lower * (p.C1 * t9 - M_left_lower * t13));
-        let ddφ2 = -(per_det_left_lower * (p.C0 * t13 - M_left_lower * t9));
+        let t12 = dP_s_dφ2 - τ_2 - dM_left_lower_dφ2 * (dφ1 * dφ1);
+        let ddφ1 = -(per_det_left_lower * (p.C1 * t8 - M_left_lower * t12));
+        let ddφ2 = -(per_det_left_lower * (p.C0 * t12 - M_left_lower * t8));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -443,21 +419,19 @@ pub mod xy_stage {
         let ddet_left_lower_dφ1 = -(M_left_lower * dM_left_lower_dφ1 * 2.0);
         let t2 = t1 * ddet_left_lower_dφ1;
         let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t3 = p.k * φ_right_minus_φ_right_0;
-        let t4 = T::from_f64(1.5707963267948966) - φ1;
+        let t3 = T::from_f64(1.5707963267948966) - φ1;
         // springs
-        let dP_s_dφ1 = t3 + t3 - p.k * t4 + t3;
+        let dP_s_dφ1 = p._3_k * φ_right_minus_φ_right_0 - p.k * t3;
         let l_sin_φ1 = p.l * sin_φ1;
-        let t5 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t6, t7) = t5.sin_cos();
+        let t4 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t5, t6) = t4.sin_cos();
         // displacement of `F1`
-        let x_F1 = p.l * (t6 * (t4 * 0.5).sin() * 2.0);
-        let k_φ2 = p.k * φ2;
+        let x_F1 = p.l * (t5 * (t3 * 0.5).sin() * 2.0);
         // springs
-        let dP_s_dφ2 = k_φ2 + k_φ2 + k_φ2 + k_φ2;
+        let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         // displacement of `T`
-        let y_T = p.l * (t7 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
+        let y_T = p.l * (t6 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
@@ -465,73 +439,72 @@ pub mod xy_stage {
         let per_det_left_lower = det_left_lower.recip();
         let dy_T_dφ1 = p.l * cos_φ1;
         let dx_F1_dφ1 = -l_sin_φ1;
-        let dF_y_stack_dφ1 = p.ks * (dy_T_dφ1 - dy_T_dφ1);
-        let dτ_2_dφ1 = p.l * (cos_φ2 * dF_y_stack_dφ1);
+        let dτ_2_dφ1 = p.l_dF_y_stack_dφ1 * cos_φ2;
         let dF_x_stack_ddφ1 = p.l_cs * sin_φ1;
         let dτ_1_ddφ1 = -(p._4_c + p.l * (sin_φ1 * dF_x_stack_ddφ1));
         let C2_sin_φ1_minus_φ2 = p.C2 * sin_φ1_minus_φ2;
         let ddet_left_lower_dφ2 = -(M_left_lower * dM_left_lower_dφ2 * 2.0);
-        let t8 = t1 * ddet_left_lower_dφ2;
+        let t7 = t1 * ddet_left_lower_dφ2;
         let dF_y_stack_ddφ2 = -(p.l_cs * cos_φ2);
         let dτ_2_ddφ2 = p.l * (cos_φ2 * dF_y_stack_ddφ2) - p._4_c;
         // ── state ──
-        let t9 = p.constant1 * t;
-        let (t10, t11) = t9.sin_cos();
+        let t8 = p.constant1 * t;
+        let (t9, t10) = t8.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t10;
+        let ux = p.stroke * t9;
         // rate of the drive `ux`
-        let dux = p.constant2 * t11;
+        let dux = p.constant2 * t10;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
         let h_left = dM_left_lower_dφ2 * dφ2_squared;
-        let t12 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h_left;
-        let t13 = p.constant3 * t;
-        let (t14, t15) = t13.sin_cos();
+        let t11 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h_left;
+        let t12 = p.constant3 * t;
+        let (t13, t14) = t12.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t14;
+        let uy = p.stroke * t13;
         // rate of the drive `uy`
-        let duy = p.constant4 * t15;
+        let duy = p.constant4 * t14;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
         // generalized torque of all other forces
         let τ_2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
         let dφ1_squared = dφ1 * dφ1;
-        let t16 = dP_s_dφ2 - τ_2 - dM_left_lower_dφ2 * dφ1_squared;
-        let t17 = p.C1 * t12 - M_left_lower * t16;
+        let t15 = dP_s_dφ2 - τ_2 - dM_left_lower_dφ2 * dφ1_squared;
+        let t16 = p.C1 * t11 - M_left_lower * t15;
         let dF_x_stack_dφ1 = p.l_cs * cos_φ1 * dφ1 - p.ks * dx_F1_dφ1;
-        let t18 = p.ddP_s_dφ1_dφ1
+        let t17 = p.ddP_s_dφ1_dφ1
             + (dy_T_dφ1 * F_x_stack + l_sin_φ1 * dF_x_stack_dφ1);
         let dh_left_dφ1 = M_left_lower * dφ2_squared;
-        let t19 = t18 + dh_left_dφ1;
+        let t18 = t17 + dh_left_dφ1;
         let dh_lower_dφ2 = M_left_lower * dφ1_squared;
-        let t20 = dτ_2_dφ1 + dh_lower_dφ2;
-        let t21 = per_det_left_lower
-            * (p.C1 * t19 - dM_left_lower_dφ1 * t16 + M_left_lower * t20);
-        let dddφ1_dφ1 = t2 * t17 - t21;
+        let t19 = dτ_2_dφ1 + dh_lower_dφ2;
+        let t20 = per_det_left_lower
+            * (p.C1 * t18 - dM_left_lower_dφ1 * t15 + M_left_lower * t19);
+        let dddφ1_dφ1 = t2 * t16 - t20;
         let dh_lower_ddφ1 = -(C2_sin_φ1_minus_φ2 * dφ1);
         let dddφ1_ddφ1 = per_det_left_lower
             * (p.C1 * dτ_1_ddφ1 + M_left_lower * dh_lower_ddφ1);
         let dh_left_dφ2 = -dh_left_dφ1;
         let dF_y_stack_dφ2 = p.l_cs * sin_φ2 * dφ2 - p.ks * dy_P1_dφ2;
         let dτ_2_dφ2 = dy_P1_dφ2 * dF_y_stack_dφ2 - p.l * sin_φ2 * F_y_stack;
-        let t22 = p.ddP_s_dφ1_dφ1 - dτ_2_dφ2 + dh_lower_dφ2;
-        let t23 = dM_left_lower_dφ2 * t16 - p.C1 * dh_left_dφ2 + M_left_lower * t22;
-        let dddφ1_dφ2 = t8 * t17 + per_det_left_lower * t23;
+        let t21 = p.ddP_s_dφ1_dφ1 - dτ_2_dφ2 + dh_lower_dφ2;
+        let t22 = dM_left_lower_dφ2 * t15 - p.C1 * dh_left_dφ2 + M_left_lower * t21;
+        let dddφ1_dφ2 = t7 * t16 + per_det_left_lower * t22;
         let dh_left_ddφ2 = C2_sin_φ1_minus_φ2 * dφ2;
-        let t24 = per_det_left_lower
+        let t23 = per_det_left_lower
             * (M_left_lower * dτ_2_ddφ2 + p.C1 * dh_left_ddφ2);
-        let dddφ1_ddφ2 = -t24;
-        let t25 = p.C0 * t16 - M_left_lower * t12;
+        let dddφ1_ddφ2 = -t23;
+        let t24 = p.C0 * t15 - M_left_lower * t11;
+        let t25 = per_det_left_lower
+            * (p.C0 * t19 + dM_left_lower_dφ1 * t11 + M_left_lower * t18);
+        let dddφ2_dφ1 = t2 * t24 + t25;
         let t26 = per_det_left_lower
-            * (p.C0 * t20 + dM_left_lower_dφ1 * t12 + M_left_lower * t19);
-        let dddφ2_dφ1 = t2 * t25 + t26;
-        let t27 = per_det_left_lower
             * (M_left_lower * dτ_1_ddφ1 + p.C0 * dh_lower_ddφ1);
-        let dddφ2_ddφ1 = -t27;
-        let t28 = dM_left_lower_dφ2 * t12 - p.C0 * t22 + M_left_lower * dh_left_dφ2;
-        let dddφ2_dφ2 = t8 * t25 + per_det_left_lower * t28;
+        let dddφ2_ddφ1 = -t26;
+        let t27 = dM_left_lower_dφ2 * t11 - p.C0 * t21 + M_left_lower * dh_left_dφ2;
+        let dddφ2_dφ2 = t7 * t24 + per_det_left_lower * t27;
         let dddφ2_ddφ2 = per_det_left_lower
             * (p.C0 * dτ_2_ddφ2 + M_left_lower * dh_left_ddφ2);
         result[1] = T::from_f64(1.0);
@@ -588,18 +561,15 @@ pub mod xy_stage {
         // inertia
         let M_left_lower = p.half_C2 * cos_φ1_minus_φ2;
         let φ_right_minus_φ_right_0 = φ1 - 1.5707963267948966;
-        let t1 = p.half_k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0);
-        let t2 = T::from_f64(1.5707963267948966) - φ1;
-        let t3 = p.half_k * (t2 * t2);
-        let half_k_φ2_squared = p.half_k * (φ2 * φ2);
-        let t4 = t1 + t1 + t3 + t3 + half_k_φ2_squared + half_k_φ2_squared
-            + half_k_φ2_squared;
-        let t5 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t6, t7) = t5.sin_cos();
+        let t1 = T::from_f64(1.5707963267948966) - φ1;
+        let t2 = p.k * (φ_right_minus_φ_right_0 * φ_right_minus_φ_right_0)
+            + p.k * (t1 * t1);
+        let t3 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t4, t5) = t3.sin_cos();
         // displacement of `F1`
-        let x_F1 = p.l * (t6 * (t2 * 0.5).sin() * 2.0);
+        let x_F1 = p.l * (t4 * (t1 * 0.5).sin() * 2.0);
         // displacement of `T`
-        let y_T = p.l * (t7 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
+        let y_T = p.l * (t5 * (φ_right_minus_φ_right_0 * 0.5).sin() * 2.0);
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
@@ -608,35 +578,36 @@ pub mod xy_stage {
         // ── state ──
         let dφ1_squared = dφ1 * dφ1;
         let dφ2_squared = dφ2 * dφ2;
-        let t8 = p.half_C0 * dφ1_squared + p.half_C1 * dφ2_squared
+        let t6 = p.half_C0 * dφ1_squared + p.half_C1 * dφ2_squared
             + M_left_lower * (dφ1 * dφ2);
-        let t9 = p.constant1 * t;
-        let (t10, t11) = t9.sin_cos();
+        let t7 = p.constant1 * t;
+        let (t8, t9) = t7.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t10;
+        let ux = p.stroke * t8;
         let x_F1_minus_ux = x_F1 - ux;
-        let t12 = t4 + half_k_φ2_squared + p.half_ks * (x_F1_minus_ux * x_F1_minus_ux);
-        let t13 = p.constant3 * t;
-        let (t14, t15) = t13.sin_cos();
+        let t10 = t2 + p.two_k * (φ2 * φ2)
+            + p.half_ks * (x_F1_minus_ux * x_F1_minus_ux);
+        let t11 = p.constant3 * t;
+        let (t12, t13) = t11.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t14;
+        let uy = p.stroke * t12;
         let y_P1_minus_y_T_minus_uy = y_P1 - y_T - uy;
-        let t16 = t12 + p.half_ks * (y_P1_minus_y_T_minus_uy * y_P1_minus_y_T_minus_uy);
+        let t14 = t10 + p.half_ks * (y_P1_minus_y_T_minus_uy * y_P1_minus_y_T_minus_uy);
         // rate of the drive `ux`
-        let dux = p.constant2 * t11;
+        let dux = p.constant2 * t9;
         let l_sin_φ1_dφ1_plus_dux = p.l * sin_φ1 * dφ1 + dux;
-        let t17 = p._4_c * dφ1_squared + p._4_c * dφ2_squared
+        let t15 = p._4_c * dφ1_squared + p._4_c * dφ2_squared
             + p.cs * (l_sin_φ1_dφ1_plus_dux * l_sin_φ1_dφ1_plus_dux);
         // rate of the drive `uy`
-        let duy = p.constant4 * t15;
+        let duy = p.constant4 * t13;
         let dy_P1_dφ2_dφ2_minus_duy = dy_P1_dφ2 * dφ2 - duy;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * l_sin_φ1_dφ1_plus_dux;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * dy_P1_dφ2_dφ2_minus_duy;
-        result[0] = t8;
-        result[1] = t16;
-        result[2] = t17 + p.cs * (dy_P1_dφ2_dφ2_minus_duy * dy_P1_dφ2_dφ2_minus_duy);
+        result[0] = t6;
+        result[1] = t14;
+        result[2] = t15 + p.cs * (dy_P1_dφ2_dφ2_minus_duy * dy_P1_dφ2_dφ2_minus_duy);
         result[3] = dux * F_x_stack + duy * F_y_stack;
     }
     /// Event functions: each event happens where its function rises through zero.
@@ -933,7 +904,7 @@ pub mod xy_stage {
     static INPUTS: &[Variable] = VARIABLES.split_at(18).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(18).1.split_at(2).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 22] = [
+    static FAILURES: [Failure; 12] = [
         Failure {
             message: Cow::Borrowed("the length of `left` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -972,48 +943,6 @@ pub mod xy_stage {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 26,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 26,
-                column: 62,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 26,
-                column: 62,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
@@ -1059,104 +988,6 @@ pub mod xy_stage {
                 ),
             }),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `lower` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 33,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `lower` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 33,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `lower` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 33,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upper` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 34,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upper` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 34,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upper` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 34,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `platform` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 35,
-                column: 6,
-                width: 8,
-                excerpt: Cow::Borrowed(
-                    "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
-                ),
-            }),
-            units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed("the mass of `platform` is {0}"),
