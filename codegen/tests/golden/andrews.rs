@@ -310,10 +310,8 @@ pub mod andrews {
             let d_minus_ss = d_2 - ss;
             let d_minus_ss_squared = d_minus_ss * d_minus_ss;
             let (sin_beta0, cos_beta0) = beta0.sin_cos();
-            let rr_cos_beta0 = rr * cos_beta0;
-            let X1_0 = xb - rr_cos_beta0;
-            let rr_sin_beta0 = rr * sin_beta0;
-            let Y1_0 = yb - rr_sin_beta0;
+            let X1_0 = xb - rr * cos_beta0;
+            let Y1_0 = yb - rr * sin_beta0;
             let D1_0 = X1_0 * X1_0 + Y1_0 * Y1_0;
             let d_plus_ss = d_2 + ss;
             let d_plus_ss_squared = d_plus_ss * d_plus_ss;
@@ -324,6 +322,7 @@ pub mod andrews {
             let t2 = t1 * 0.25 / d_squared_ss_squared;
             let e_minus_zt = e - zt;
             let e_minus_zt_squared = e_minus_zt * e_minus_zt;
+            let xa_minus_xb = xa - xb;
             let t3 = d_squared - ss_squared;
             let κ1_0 = (t3 + D1_0) * 0.5 / D1_0;
             let Y1_0_κ1_0 = Y1_0 * κ1_0;
@@ -334,15 +333,16 @@ pub mod andrews {
             let s1 = (t4 / d_squared - t5).if_positive(1.0, -1.0);
             let η1_0 = s1 * (-t1).sqrt() * 0.5 / D1_0;
             let X1_0_η1_0 = X1_0 * η1_0;
-            let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
+            let s3_0 = (Y1_0_κ1_0 - Y1_0 + X1_0_η1_0) / ss;
             let X1_0_κ1_0 = X1_0 * κ1_0;
             let Y1_0_η1_0 = Y1_0 * η1_0;
-            let c2_0 = -((X1_0_κ1_0 - Y1_0_η1_0) / d_2);
-            // angle of `coupler` as assembled
-            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(-0.06);
-            let (sin_φ2_0, cos_φ2_0) = φ2_0.sin_cos();
-            let X2_0 = xa - rr_cos_beta0 + d_2 * cos_φ2_0;
-            let Y2_0 = ya - rr_sin_beta0 + d_2 * sin_φ2_0;
+            let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / ss);
+            // angle of `lever` as assembled
+            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(-1.12);
+            let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
+            let X2_0 = xa_minus_xb - ss * cos_φ3_0;
+            let ya_minus_yb = ya - yb;
+            let Y2_0 = ya_minus_yb - ss * sin_φ3_0;
             let D2_0 = X2_0 * X2_0 + Y2_0 * Y2_0;
             let e_plus_zt = e + zt;
             let e_plus_zt_squared = e_plus_zt * e_plus_zt;
@@ -365,11 +365,11 @@ pub mod andrews {
             let C0 = I1 + m1 * (ra * ra) + rr_squared * m2;
             // constant of the inertia
             let C1 = I2 + m2 * (da * da);
-            let s3_0 = (Y1_0_κ1_0 - Y1_0 + X1_0_η1_0) / ss;
-            let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / ss);
-            // angle of `lever` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(-1.12);
             let sin_beta0_minus_φ3_0 = (beta0 - φ3_0).sin();
+            let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
+            let c2_0 = -((X1_0_κ1_0 - Y1_0_η1_0) / d_2);
+            // angle of `coupler` as assembled
+            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(-0.06);
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
             let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
             let t11 = rr_squared * C1 * (sin_beta0_minus_φ3_0 * sin_beta0_minus_φ3_0)
@@ -380,8 +380,7 @@ pub mod andrews {
             let beta0_minus_φ2_0 = beta0 - φ2_0;
             let (sin_beta0_minus_φ2_0, cos_beta0_minus_φ2_0) = beta0_minus_φ2_0
                 .sin_cos();
-            let t12 = rr_squared * C2 * (sin_beta0_minus_φ2_0 * sin_beta0_minus_φ2_0)
-                / (ss_squared * t10);
+            let t12 = sin_beta0_minus_φ2_0 * sin_beta0_minus_φ2_0;
             // constant of the inertia
             let C3 = I4 + m4 * (ea * ea);
             let t13 = e_squared - zt_squared;
@@ -401,33 +400,35 @@ pub mod andrews {
             let c_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / zt);
             // angle of `upper_arm` as assembled
             let δ_0 = s_0.atan2(c_0).unwrap_to(0.49);
-            let rr_sin_beta0_minus_φ3_0 = rr * sin_beta0_minus_φ3_0;
-            let t16 = rr * (beta0 - δ_0).sin()
-                - rr_sin_beta0_minus_φ3_0 * (φ2_0 - δ_0).sin()
-                    / sin_φ2_0_minus_φ3_0;
+            let sin_φ3_0_minus_δ_0 = (φ3_0 - δ_0).sin();
             let s4_0 = -((Y2_0_κ2_0 + X2_0_η2_0) / e);
             let c4_0 = -((X2_0_κ2_0 - Y2_0_η2_0) / e);
             // angle of `upper` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(-0.86);
             let sin_φ4_0_minus_δ_0 = (φ4_0 - δ_0).sin();
-            let t17 = sin_φ4_0_minus_δ_0 * sin_φ4_0_minus_δ_0;
+            let t16 = sin_φ4_0_minus_δ_0 * sin_φ4_0_minus_δ_0;
+            let t17 = rr_squared * C3 * t12
+                * (sin_φ3_0_minus_δ_0 * sin_φ3_0_minus_δ_0)
+                / (e_squared * t10 * t16);
             // constant of the inertia
             let C4 = I5 + m5 * (ta * ta) + m5 * (tb * tb);
-            let t18 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ4_0).sin()
-                / sin_φ2_0_minus_φ3_0;
-            let t19 = rr * (beta0 - φ4_0).sin() - t18;
-            let t20 = C0 + t11 + t12 + C3 * (t16 * t16) / (e_squared * t17)
-                + C4 * (t19 * t19) / (zt_squared * t17);
+            let φ3_0_minus_φ4_0 = φ3_0 - φ4_0;
+            let (sin_φ3_0_minus_φ4_0, cos_φ3_0_minus_φ4_0) = φ3_0_minus_φ4_0
+                .sin_cos();
+            let t18 = rr_squared * C4 * t12
+                * (sin_φ3_0_minus_φ4_0 * sin_φ3_0_minus_φ4_0);
+            let t19 = C0 + t11 + rr_squared * C2 * t12 / (ss_squared * t10) + t17
+                + t18 / (zt_squared * t10 * t16);
             // constant of the inertia
             let C5 = I6 + m6 * (fa * fa);
-            let t21 = zf_squared - u_squared;
-            let κ3_0 = (t21 + D2_0) * 0.5 / D2_0;
+            let t20 = zf_squared - u_squared;
+            let κ3_0 = (t20 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ3_0 = Y2_0 * κ3_0;
-            let t22 = u_2 * X2_0 * 0.3334870921408144 + u_2 * Y2_0 * 0.9427546655283462;
-            let t23 = (zf * X2_0 * 0.8468318446180152 - zf * Y2_0 * 0.5318607213743555)
+            let t21 = u_2 * X2_0 * 0.3334870921408144 + u_2 * Y2_0 * 0.9427546655283462;
+            let t22 = (zf * X2_0 * 0.8468318446180152 - zf * Y2_0 * 0.5318607213743555)
                 / zf_squared;
             // which way the loop closes: as drawn
-            let s3_2 = (-(t22 / u_squared + t23)).if_positive(1.0, -1.0);
+            let s3_2 = (-(t21 / u_squared + t22)).if_positive(1.0, -1.0);
             let η3_0 = s3_2 * (-t8).sqrt() * 0.5 / D2_0;
             let X2_0_η3_0 = X2_0 * η3_0;
             let s7_0 = (Y2_0_κ3_0 - Y2_0 + X2_0_η3_0) / u_2;
@@ -436,37 +437,38 @@ pub mod andrews {
             let c7_0 = -((X2_0 - X2_0_κ3_0 + Y2_0_η3_0) / u_2);
             // angle of `lower_arm` as assembled
             let φ7_0 = s7_0.atan2(c7_0).unwrap_to(-0.34);
-            let t24 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ7_0).sin()
-                / sin_φ2_0_minus_φ3_0;
-            let t25 = rr * (beta0 - φ7_0).sin() - t24;
+            let sin_φ3_0_minus_φ7_0 = (φ3_0 - φ7_0).sin();
+            let t23 = rr_squared * C5 * t12
+                * (sin_φ3_0_minus_φ7_0 * sin_φ3_0_minus_φ7_0);
             let s6_0 = -((Y2_0_κ3_0 + X2_0_η3_0) / zf);
             let c6_0 = -((X2_0_κ3_0 - Y2_0_η3_0) / zf);
             // angle of `lower` as assembled
             let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.01);
             let sin_φ6_0_minus_φ7_0 = (φ6_0 - φ7_0).sin();
-            let t26 = sin_φ6_0_minus_φ7_0 * sin_φ6_0_minus_φ7_0;
+            let t24 = sin_φ6_0_minus_φ7_0 * sin_φ6_0_minus_φ7_0;
             // constant of the inertia
             let C6 = I7 + m7 * (ua * ua) + m7 * (ub * ub);
-            let t27 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ6_0).sin()
-                / sin_φ2_0_minus_φ3_0;
-            let t28 = rr * (beta0 - φ6_0).sin() - t27;
-            let t29 = t20 + C5 * (t25 * t25) / (zf_squared * t26)
-                + C6 * (t28 * t28) / (u_squared * t26);
+            let φ3_0_minus_φ6_0 = φ3_0 - φ6_0;
+            let (sin_φ3_0_minus_φ6_0, cos_φ3_0_minus_φ6_0) = φ3_0_minus_φ6_0
+                .sin_cos();
+            let t25 = rr_squared * C6 * t12
+                * (sin_φ3_0_minus_φ6_0 * sin_φ3_0_minus_φ6_0);
             // constant of the inertia
             let C7 = -(rr * m2 * da * 2.0);
-            let t30 = rr * C7 * sin_beta0_minus_φ3_0 * cos_beta0_minus_φ2_0
+            let t26 = rr * C7 * sin_beta0_minus_φ3_0 * cos_beta0_minus_φ2_0
                 / (d_2 * sin_φ2_0_minus_φ3_0);
+            let t27 = t19 + t23 / (zf_squared * t10 * t24)
+                + t25 / (u_squared * t10 * t24) + t26;
             // constant of the inertia
             let C8 = -(ss * m4 * ea * 2.0);
-            let t31 = rr * C8 * sin_beta0_minus_φ2_0 * t16 * (φ3_0 - φ4_0).cos()
-                / (ss * e * sin_φ2_0_minus_φ3_0 * sin_φ4_0_minus_δ_0);
+            let t28 = rr_squared * C8 * t12 * sin_φ3_0_minus_δ_0
+                * cos_φ3_0_minus_φ4_0 / (ss * e * t10 * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C9 = -(ss * m6 * fa * 2.0);
-            let t32 = rr * C9 * sin_beta0_minus_φ2_0 * t25 * (φ3_0 - φ6_0).cos()
-                / (ss * zf * sin_φ2_0_minus_φ3_0 * sin_φ6_0_minus_φ7_0);
+            let t29 = rr_squared * C9 * t12 * sin_φ3_0_minus_φ7_0
+                * cos_φ3_0_minus_φ6_0;
             // inertia as assembled
-            let A_crank_0 = t29 + t30 - t31 - t32;
-            let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
+            let A_crank_0 = t27 + t28 + t29 / (ss * zf * t10 * sin_φ6_0_minus_φ7_0);
             let Δx_pull_0 = xb - xc + sc * cos_φ3_0 - sd * sin_φ3_0;
             let Δy_pull_0 = yb - yc + sc * sin_φ3_0 + sd * cos_φ3_0;
             // length of `pull` as assembled
@@ -572,7 +574,6 @@ pub mod andrews {
                                 (sqrt_D2_0 - e - zt).larger(e_minus_zt.abs() - sqrt_D2_0),
                                 (zt - sqrt_D2_0).abs(),
                                 zt + sqrt_D2_0,
-                                beta0,
                             ],
                         ),
                 );
@@ -587,7 +588,6 @@ pub mod andrews {
                                     .larger(e_minus_zt.abs() - sqrt_D2_0_2),
                                 (zt - sqrt_D2_0_2).abs(),
                                 zt + sqrt_D2_0_2,
-                                beta0,
                             ],
                         ),
                 );
@@ -602,7 +602,6 @@ pub mod andrews {
                                     .larger(zf_minus_u.abs() - sqrt_D2_0_3),
                                 (u_2 - sqrt_D2_0_3).abs(),
                                 u_2 + sqrt_D2_0_3,
-                                beta0,
                             ],
                         ),
                 );
@@ -617,7 +616,6 @@ pub mod andrews {
                                     .larger(zf_minus_u.abs() - sqrt_D2_0_4),
                                 (u_2 - sqrt_D2_0_4).abs(),
                                 u_2 + sqrt_D2_0_4,
-                                beta0,
                             ],
                         ),
                 );
@@ -637,8 +635,6 @@ pub mod andrews {
                 zt,
                 zf,
                 u: u_2,
-                xa,
-                ya,
                 xb,
                 yb,
                 c0,
@@ -654,31 +650,34 @@ pub mod andrews {
                 C1,
                 rr_per_ss: rr / ss,
                 C2,
+                ya_minus_yb,
+                xa_minus_xb,
                 constant2: t13,
                 e_minus_zt_squared,
                 e_plus_zt_squared,
-                s2_0,
-                c2_0,
-                φ2_0,
+                s3_0,
+                c3_0,
+                φ3_0,
                 half_s2_2: s2_2 * 0.5,
                 per_e: e.recip(),
                 per_zt: zt.recip(),
+                ss_per_e: ss / e,
                 C3,
+                ss_per_zt: ss / zt,
                 C4,
-                constant3: t21,
+                constant3: t20,
                 zf_minus_u_squared,
                 zf_plus_u_squared,
                 half_s3_2: s3_2 * 0.5,
                 per_zf: zf.recip(),
                 per_u: u_2.recip(),
+                ss_per_zf: ss / zf,
                 C5,
+                ss_per_u: ss / u_2,
                 C6,
                 C7,
                 C8,
                 C9,
-                s3_0,
-                c3_0,
-                φ3_0,
                 Δx_pull_0,
                 Δy_pull_0,
                 L_pull_0,
@@ -691,10 +690,13 @@ pub mod andrews {
                 two_C4: C4 * 2.0,
                 two_C5: C5 * 2.0,
                 two_C6: C6 * 2.0,
-                two_d: d_2 * 2.0,
+                two_ss: ss * 2.0,
                 two_C7: C7 * 2.0,
                 two_C8: C8 * 2.0,
                 two_C9: C9 * 2.0,
+                s2_0,
+                c2_0,
+                φ2_0,
                 s4_0,
                 c4_0,
                 φ4_0,
@@ -742,10 +744,6 @@ pub mod andrews {
         pub zf: T,
         /// `u`
         pub u: T,
-        /// `xa`
-        pub xa: T,
-        /// `ya`
-        pub ya: T,
         /// `xb`
         pub xb: T,
         /// `yb`
@@ -776,26 +774,34 @@ pub mod andrews {
         pub rr_per_ss: T,
         /// `C2` constant of the inertia
         pub C2: T,
+        /// `ya - yb`
+        pub ya_minus_yb: T,
+        /// `xa - xb`
+        pub xa_minus_xb: T,
         /// `e * e - zt * zt`
         pub constant2: T,
         /// `(e - zt) * (e - zt)`
         pub e_minus_zt_squared: T,
         /// `(e + zt) * (e + zt)`
         pub e_plus_zt_squared: T,
-        /// `s2⁰`
-        pub s2_0: T,
-        /// `c2⁰`
-        pub c2_0: T,
-        /// `φ2⁰` angle of \`coupler\` as assembled
-        pub φ2_0: T,
+        /// `s3⁰`
+        pub s3_0: T,
+        /// `c3⁰`
+        pub c3_0: T,
+        /// `φ3⁰` angle of \`lever\` as assembled
+        pub φ3_0: T,
         /// `0.5 * s2_2`
         pub half_s2_2: T,
         /// `1.0 / e`
         pub per_e: T,
         /// `1.0 / zt`
         pub per_zt: T,
+        /// `ss / e`
+        pub ss_per_e: T,
         /// `C3` constant of the inertia
         pub C3: T,
+        /// `ss / zt`
+        pub ss_per_zt: T,
         /// `C4` constant of the inertia
         pub C4: T,
         /// `zf * zf - u * u`
@@ -810,8 +816,12 @@ pub mod andrews {
         pub per_zf: T,
         /// `1.0 / u`
         pub per_u: T,
+        /// `ss / zf`
+        pub ss_per_zf: T,
         /// `C5` constant of the inertia
         pub C5: T,
+        /// `ss / u`
+        pub ss_per_u: T,
         /// `C6` constant of the inertia
         pub C6: T,
         /// `C7` constant of the inertia
@@ -820,12 +830,6 @@ pub mod andrews {
         pub C8: T,
         /// `C9` constant of the inertia
         pub C9: T,
-        /// `s3⁰`
-        pub s3_0: T,
-        /// `c3⁰`
-        pub c3_0: T,
-        /// `φ3⁰` angle of \`lever\` as assembled
-        pub φ3_0: T,
         /// `Δx_pull⁰`
         pub Δx_pull_0: T,
         /// `Δy_pull⁰`
@@ -850,14 +854,20 @@ pub mod andrews {
         pub two_C5: T,
         /// `2.0 * C6`
         pub two_C6: T,
-        /// `2.0 * d`
-        pub two_d: T,
+        /// `2.0 * ss`
+        pub two_ss: T,
         /// `2.0 * C7`
         pub two_C7: T,
         /// `2.0 * C8`
         pub two_C8: T,
         /// `2.0 * C9`
         pub two_C9: T,
+        /// `s2⁰`
+        pub s2_0: T,
+        /// `c2⁰`
+        pub c2_0: T,
+        /// `φ2⁰` angle of \`coupler\` as assembled
+        pub φ2_0: T,
         /// `s4⁰`
         pub s4_0: T,
         /// `c4⁰`
@@ -906,8 +916,6 @@ pub mod andrews {
                 zt: turn(self.zt),
                 zf: turn(self.zf),
                 u: turn(self.u),
-                xa: turn(self.xa),
-                ya: turn(self.ya),
                 xb: turn(self.xb),
                 yb: turn(self.yb),
                 c0: turn(self.c0),
@@ -923,16 +931,20 @@ pub mod andrews {
                 C1: turn(self.C1),
                 rr_per_ss: turn(self.rr_per_ss),
                 C2: turn(self.C2),
+                ya_minus_yb: turn(self.ya_minus_yb),
+                xa_minus_xb: turn(self.xa_minus_xb),
                 constant2: turn(self.constant2),
                 e_minus_zt_squared: turn(self.e_minus_zt_squared),
                 e_plus_zt_squared: turn(self.e_plus_zt_squared),
-                s2_0: turn(self.s2_0),
-                c2_0: turn(self.c2_0),
-                φ2_0: turn(self.φ2_0),
+                s3_0: turn(self.s3_0),
+                c3_0: turn(self.c3_0),
+                φ3_0: turn(self.φ3_0),
                 half_s2_2: turn(self.half_s2_2),
                 per_e: turn(self.per_e),
                 per_zt: turn(self.per_zt),
+                ss_per_e: turn(self.ss_per_e),
                 C3: turn(self.C3),
+                ss_per_zt: turn(self.ss_per_zt),
                 C4: turn(self.C4),
                 constant3: turn(self.constant3),
                 zf_minus_u_squared: turn(self.zf_minus_u_squared),
@@ -940,14 +952,13 @@ pub mod andrews {
                 half_s3_2: turn(self.half_s3_2),
                 per_zf: turn(self.per_zf),
                 per_u: turn(self.per_u),
+                ss_per_zf: turn(self.ss_per_zf),
                 C5: turn(self.C5),
+                ss_per_u: turn(self.ss_per_u),
                 C6: turn(self.C6),
                 C7: turn(self.C7),
                 C8: turn(self.C8),
                 C9: turn(self.C9),
-                s3_0: turn(self.s3_0),
-                c3_0: turn(self.c3_0),
-                φ3_0: turn(self.φ3_0),
                 Δx_pull_0: turn(self.Δx_pull_0),
                 Δy_pull_0: turn(self.Δy_pull_0),
                 L_pull_0: turn(self.L_pull_0),
@@ -960,10 +971,13 @@ pub mod andrews {
                 two_C4: turn(self.two_C4),
                 two_C5: turn(self.two_C5),
                 two_C6: turn(self.two_C6),
-                two_d: turn(self.two_d),
+                two_ss: turn(self.two_ss),
                 two_C7: turn(self.two_C7),
                 two_C8: turn(self.two_C8),
                 two_C9: turn(self.two_C9),
+                s2_0: turn(self.s2_0),
+                c2_0: turn(self.c2_0),
+                φ2_0: turn(self.φ2_0),
                 s4_0: turn(self.s4_0),
                 c4_0: turn(self.c4_0),
                 φ4_0: turn(self.φ4_0),
@@ -998,11 +1012,9 @@ pub mod andrews {
         let turn_lever = d[1];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1012,14 +1024,12 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_s1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
         let t2 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
         let c3 = -t2;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
         let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
@@ -1030,9 +1040,9 @@ pub mod andrews {
         let t3 = p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2);
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -t3;
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
@@ -1050,26 +1060,21 @@ pub mod andrews {
         let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let sin_φ4_minus_δ = s4 * c - c4 * s;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
-        let t5 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
+        let ω3_per_sin_φ4_minus_δ = ω3 * per_sin_φ4_minus_δ;
+        let sin_φ3_minus_δ = s3 * c - c3 * s;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t5;
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t6 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
-        let t7 = p.per_zt * t6;
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
+        let t5 = p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4);
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -t7;
-        let t8 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
+        let ω = -t5;
+        let t6 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
             + p.C4 * (ω * ω);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t9 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t9;
+        let η3 = p.half_s3_2 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1079,120 +1084,105 @@ pub mod andrews {
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
         let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t10 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * per_sin_φ6_minus_φ7;
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t10;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t11 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
-        let t12 = p.per_u * t11;
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
+        let t8 = p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6);
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -t12;
+        let ω7 = -t8;
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
-        let t13 = t8 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t9 = t6 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * (ω2 * cos_β_minus_φ2);
-        let ω3_ω4 = ω3 * ω4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
-        let ω3_ω6 = ω3 * ω6;
         let cos_φ3_minus_φ6 = c3 * c6 + s3 * s6;
         // inertia
-        let A = t13 + p.C8 * (ω3_ω4 * cos_φ3_minus_φ4)
-            + p.C9 * (ω3_ω6 * cos_φ3_minus_φ6);
-        let t14 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let A = t9 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
+            + p.C9 * (ω3 * ω6 * cos_φ3_minus_φ6);
+        let t10 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t14.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t10.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_plus_φ3_0 = (φ3 + p.φ3_0) * 0.5;
         let (sin_half_φ3_plus_φ3_0, cos_half_φ3_plus_φ3_0) = half_φ3_plus_φ3_0
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
-        let t15 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
-        let t16 = p.sc * t15;
-        let t17 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        let t11 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
+        let t12 = p.sc * t11;
+        let t13 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        let t14 = t12 + t13;
+        let t15 = p.two_Δx_pull_0 + t12 + t13;
+        let t16 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
+        let t17 = p.sd * t11;
         let t18 = t16 + t17;
-        let t19 = p.two_Δx_pull_0 + t16 + t17;
-        let t20 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t21 = p.sd * t15;
-        let t22 = t20 + t21;
-        let t23 = p.two_Δy_pull_0 + t20 + t21;
-        let t24 = t18 * t19 + t22 * t23;
-        let t25 = p.Δx_pull_0 + t16 + t17;
-        let t26 = p.Δy_pull_0 + t20 + t21;
-        let t27 = (t25 * t25 + t26 * t26).sqrt();
-        let t28 = p.L_pull_0 + t27;
-        let t29 = t28.recip();
+        let t19 = p.two_Δy_pull_0 + t16 + t17;
+        let t20 = t14 * t15 + t18 * t19;
+        let t21 = p.Δx_pull_0 + t12 + t13;
+        let t22 = p.Δy_pull_0 + t16 + t17;
+        let t23 = (t21 * t21 + t22 * t22).sqrt();
+        let t24 = p.L_pull_0 + t23;
+        let t25 = t24.recip();
         let ω3_s3 = ω3 * s3;
-        let t30 = ω3 * t2;
-        let t31 = p.sc * ω3_s3 - p.sd * t30;
-        let t32 = p.sc * t30 + p.sd * ω3_s3;
-        let t33 = t27.recip() * t24 * (t28 * t28).recip()
-            * (t25 * t31 * 2.0 + t26 * t32 * 2.0);
-        let t34 = (p.L_pull_0_minus_l0 + t24 * t29)
-            * (t29 * (t19 * t31 + t18 * t31 + t23 * t32 + t22 * t32) - t33 * 0.5);
+        let t26 = ω3 * t2;
+        let t27 = p.sc * ω3_s3 - p.sd * t26;
+        let t28 = p.sc * t26 + p.sd * ω3_s3;
+        let t29 = t23.recip() * t20 * (t24 * t24).recip()
+            * (t21 * t27 * 2.0 + t22 * t28 * 2.0);
+        let t30 = (p.L_pull_0_minus_l0 + t20 * t25)
+            * (t25 * (t15 * t27 + t14 * t27 + t19 * t28 + t18 * t28) - t29 * 0.5);
         // springs
-        let dP_s_dβ = -(p.c0 * t34);
+        let dP_s_dβ = -(p.c0 * t30);
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
-        let t35 = ω2 + t3;
+        let t31 = ω2 + t3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t36 = p.rr * (cos_β_minus_φ3 * (ω3 - 1.0))
-            + p.d * (ω2 * t35 * cos_φ2_minus_φ3);
-        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t36));
+        let t32 = p.rr * (cos_β_minus_φ3 * (ω3 - 1.0))
+            + p.d * (ω2 * t31 * cos_φ2_minus_φ3);
+        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t32));
         let ω2_minus_one = ω2 - 1.0;
-        let t37 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
-            - p.ss * (ω3 * t35 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t37);
-        let cos_β_minus_δ = cos_β * c + sin_β * s;
-        let t38 = p.rr * (cos_β_minus_δ * (ω - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_δ);
-        let cos_φ2_minus_δ = c2 * c + s2 * s;
-        let t39 = ω4 + t7;
+        let t33 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
+            - p.ss * (ω3 * t31 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t33);
+        let cos_φ3_minus_δ = c3 * c + s3 * s;
+        let t34 = p.ss * (ω3_prime * sin_φ3_minus_δ)
+            + p.ss * (ω3 * (t5 - t3) * cos_φ3_minus_δ);
+        let t35 = ω4 + t5;
         let cos_φ4_minus_δ = c4 * c + s4 * s;
-        let t40 = t38 + p.d * (ω2 * (ω2 + t7) * cos_φ2_minus_δ)
-            + p.e * (ω4 * t39 * cos_φ4_minus_δ);
-        let ω4_prime = -(p.per_e * (per_sin_φ4_minus_δ * t40));
-        let t41 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let ω4_prime = p.per_e
+            * (per_sin_φ4_minus_δ * (t34 - p.e * (ω4 * t35 * cos_φ4_minus_δ)));
+        let t36 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω4 * ω4_prime);
-        let cos_β_minus_φ4 = cos_β * c4 + sin_β * s4;
-        let t42 = p.rr * (cos_β_minus_φ4 * (ω4 - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_φ4);
-        let cos_φ2_minus_φ4 = c2 * c4 + s2 * s4;
-        let t43 = t42 + p.d * (ω2 * (ω2 - ω4) * cos_φ2_minus_φ4)
-            - p.zt * (ω * t39 * cos_φ4_minus_δ);
-        let ω_prime = p.per_zt * (per_sin_φ4_minus_δ * t43);
-        let cos_β_minus_φ7 = cos_β * c7 + sin_β * s7;
-        let t44 = p.rr * (cos_β_minus_φ7 * (ω7 - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_φ7);
-        let cos_φ2_minus_φ7 = c2 * c7 + s2 * s7;
-        let t45 = ω6 + t12;
+        let ω3_minus_ω4 = ω3 - ω4;
+        let t37 = p.ss * (ω3_prime * sin_φ3_minus_φ4)
+            + p.ss * (ω3 * ω3_minus_ω4 * cos_φ3_minus_φ4);
+        let t38 = p.per_zt
+            * (per_sin_φ4_minus_δ * (t37 + p.zt * (ω * t35 * cos_φ4_minus_δ)));
+        let ω_prime = -t38;
+        let cos_φ3_minus_φ7 = c3 * c7 + s3 * s7;
+        let t39 = p.ss * (ω3_prime * sin_φ3_minus_φ7)
+            + p.ss * (ω3 * (t8 - t3) * cos_φ3_minus_φ7);
+        let t40 = ω6 + t8;
         let cos_φ6_minus_φ7 = c6 * c7 + s6 * s7;
-        let t46 = t44 + p.d * (ω2 * (ω2 + t12) * cos_φ2_minus_φ7)
-            + p.zf * (ω6 * t45 * cos_φ6_minus_φ7);
-        let ω6_prime = -(p.per_zf * (per_sin_φ6_minus_φ7 * t46));
-        let cos_β_minus_φ6 = cos_β * c6 + sin_β * s6;
-        let t47 = p.rr * (cos_β_minus_φ6 * (ω6 - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_φ6);
-        let cos_φ2_minus_φ6 = c2 * c6 + s2 * s6;
-        let t48 = t47 + p.d * (ω2 * (ω2 - ω6) * cos_φ2_minus_φ6)
-            - p.u * (ω7 * t45 * cos_φ6_minus_φ7);
-        let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t48);
-        let t49 = t41 + p.two_C4 * (ω * ω_prime) + p.two_C5 * (ω6 * ω6_prime)
+        let ω6_prime = p.per_zf
+            * (per_sin_φ6_minus_φ7 * (t39 - p.zf * (ω6 * t40 * cos_φ6_minus_φ7)));
+        let ω3_minus_ω6 = ω3 - ω6;
+        let t41 = p.ss * (ω3_prime * sin_φ3_minus_φ6)
+            + p.ss * (ω3 * ω3_minus_ω6 * cos_φ3_minus_φ6);
+        let t42 = p.per_u
+            * (per_sin_φ6_minus_φ7 * (t41 + p.u * (ω7 * t40 * cos_φ6_minus_φ7)));
+        let ω7_prime = -t42;
+        let t43 = t36 + p.two_C4 * (ω * ω_prime) + p.two_C5 * (ω6 * ω6_prime)
             + p.two_C6 * (ω7 * ω7_prime);
-        let t50 = t49 + p.C7 * (ω2_prime * cos_β_minus_φ2)
+        let t44 = t43 + p.C7 * (ω2_prime * cos_β_minus_φ2)
             + p.C7 * (sin_β_minus_φ2 * ω2 * ω2_minus_one);
-        let t51 = t50 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
+        let t45 = t44 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
             + p.C8 * (ω3 * ω4_prime * cos_φ3_minus_φ4);
-        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
-        let t52 = t51 - p.C8 * (ω3_ω4 * (ω3 - ω4) * sin_φ3_minus_φ4)
+        let t46 = t45 - p.C8 * (ω3 * sin_φ3_minus_φ4 * ω4 * ω3_minus_ω4)
             + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
-        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
         // its derivative
-        let dA_dβ = t52 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
-            - p.C9 * (ω3_ω6 * (ω3 - ω6) * sin_φ3_minus_φ6);
+        let dA_dβ = t46 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
+            - p.C9 * (ω3 * sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6);
         // ── state ──
         let ddβ = -(A.recip() * (dP_s_dβ - p.mom + dA_dβ * 0.5 * (dβ * dβ)));
         dx[0] = dβ;
@@ -1213,11 +1203,9 @@ pub mod andrews {
         let turn_lever = d[1];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1227,14 +1215,12 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_s1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
         let t2 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
         let c3 = -t2;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
         let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
@@ -1246,9 +1232,9 @@ pub mod andrews {
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -t3;
         let ω3_squared = ω3 * ω3;
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
@@ -1266,27 +1252,20 @@ pub mod andrews {
         let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let sin_φ4_minus_δ = s4 * c - c4 * s;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
-        let ω2_sin_φ2_minus_δ = ω2 * sin_φ2_minus_δ;
-        let t5 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * ω2_sin_φ2_minus_δ);
+        let ω3_per_sin_φ4_minus_δ = ω3 * per_sin_φ4_minus_δ;
+        let sin_φ3_minus_δ = s3 * c - c3 * s;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t5;
-        let t6 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * ω3_squared + p.C3 * (ω4 * ω4);
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let ω2_sin_φ2_minus_φ4 = ω2 * sin_φ2_minus_φ4;
-        let t7 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * ω2_sin_φ2_minus_φ4);
-        let t8 = p.per_zt * t7;
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let t5 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * ω3_squared + p.C3 * (ω4 * ω4);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
+        let t6 = p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4);
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -t8;
+        let ω = -t6;
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t9 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t9;
+        let η3 = p.half_s3_2 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1296,275 +1275,244 @@ pub mod andrews {
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
         let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let ω2_sin_φ2_minus_φ7 = ω2 * sin_φ2_minus_φ7;
-        let t10 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * ω2_sin_φ2_minus_φ7);
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * per_sin_φ6_minus_φ7;
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t10;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let ω2_sin_φ2_minus_φ6 = ω2 * sin_φ2_minus_φ6;
-        let t11 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * ω2_sin_φ2_minus_φ6);
-        let t12 = p.per_u * t11;
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
+        let t8 = p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6);
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -t12;
+        let ω7 = -t8;
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
         let ω2_cos_β_minus_φ2 = ω2 * cos_β_minus_φ2;
-        let t13 = t6 + p.C4 * (ω * ω) + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t9 = t5 + p.C4 * (ω * ω) + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * ω2_cos_β_minus_φ2;
         let ω3_ω4 = ω3 * ω4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
-        let ω3_ω4_cos_φ3_minus_φ4 = ω3_ω4 * cos_φ3_minus_φ4;
         let ω3_ω6 = ω3 * ω6;
         let cos_φ3_minus_φ6 = c3 * c6 + s3 * s6;
-        let ω3_ω6_cos_φ3_minus_φ6 = ω3_ω6 * cos_φ3_minus_φ6;
         // inertia
-        let A = t13 + p.C8 * ω3_ω4_cos_φ3_minus_φ4
-            + p.C9 * ω3_ω6_cos_φ3_minus_φ6;
+        let A = t9 + p.C8 * (ω3_ω4 * cos_φ3_minus_φ4)
+            + p.C9 * (ω3_ω6 * cos_φ3_minus_φ6);
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
         let ω3_minus_one = ω3 - 1.0;
-        let t14 = ω2 + t3;
+        let t10 = ω2 + t3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t15 = p.rr * (cos_β_minus_φ3 * ω3_minus_one)
-            + p.d * (ω2 * t14 * cos_φ2_minus_φ3);
-        let t16 = p.per_d * (per_sin_φ2_minus_φ3 * t15);
-        let ω2_prime = -t16;
+        let t11 = p.rr * (cos_β_minus_φ3 * ω3_minus_one)
+            + p.d * (ω2 * t10 * cos_φ2_minus_φ3);
+        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t11));
         let ω2_minus_one = ω2 - 1.0;
-        let t17 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
-            - p.ss * (ω3 * t14 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t17);
-        let cos_β_minus_δ = cos_β * c + sin_β * s;
-        let ω_minus_one = ω - 1.0;
-        let t18 = p.rr * (cos_β_minus_δ * ω_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_δ);
-        let t19 = ω2 + t8;
-        let cos_φ2_minus_δ = c2 * c + s2 * s;
-        let t20 = ω4 + t8;
+        let t12 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
+            - p.ss * (ω3 * t10 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t12);
+        let t13 = t6 - t3;
+        let cos_φ3_minus_δ = c3 * c + s3 * s;
+        let t14 = p.ss * (ω3_prime * sin_φ3_minus_δ)
+            + p.ss * (ω3 * t13 * cos_φ3_minus_δ);
+        let t15 = ω4 + t6;
         let cos_φ4_minus_δ = c4 * c + s4 * s;
-        let t21 = t18 + p.d * (ω2 * t19 * cos_φ2_minus_δ)
-            + p.e * (ω4 * t20 * cos_φ4_minus_δ);
-        let t22 = p.per_e * (per_sin_φ4_minus_δ * t21);
-        let ω4_prime = -t22;
-        let t23 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let t16 = t14 - p.e * (ω4 * t15 * cos_φ4_minus_δ);
+        let ω4_prime = p.per_e * (per_sin_φ4_minus_δ * t16);
+        let t17 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω4 * ω4_prime);
-        let cos_β_minus_φ4 = cos_β * c4 + sin_β * s4;
-        let ω4_minus_one = ω4 - 1.0;
-        let t24 = p.rr * (cos_β_minus_φ4 * ω4_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_φ4);
-        let ω2_minus_ω4 = ω2 - ω4;
-        let cos_φ2_minus_φ4 = c2 * c4 + s2 * s4;
-        let t25 = t24 + p.d * (ω2 * ω2_minus_ω4 * cos_φ2_minus_φ4)
-            - p.zt * (ω * t20 * cos_φ4_minus_δ);
-        let ω_prime = p.per_zt * (per_sin_φ4_minus_δ * t25);
-        let cos_β_minus_φ7 = cos_β * c7 + sin_β * s7;
-        let ω7_minus_one = ω7 - 1.0;
-        let t26 = p.rr * (cos_β_minus_φ7 * ω7_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_φ7);
-        let t27 = ω2 + t12;
-        let cos_φ2_minus_φ7 = c2 * c7 + s2 * s7;
-        let t28 = ω6 + t12;
+        let ω3_prime_sin_φ3_minus_φ4 = ω3_prime * sin_φ3_minus_φ4;
+        let ω3_minus_ω4 = ω3 - ω4;
+        let t18 = p.ss * ω3_prime_sin_φ3_minus_φ4
+            + p.ss * (ω3 * ω3_minus_ω4 * cos_φ3_minus_φ4);
+        let t19 = t18 + p.zt * (ω * t15 * cos_φ4_minus_δ);
+        let t20 = p.per_zt * (per_sin_φ4_minus_δ * t19);
+        let ω_prime = -t20;
+        let t21 = t8 - t3;
+        let cos_φ3_minus_φ7 = c3 * c7 + s3 * s7;
+        let t22 = p.ss * (ω3_prime * sin_φ3_minus_φ7)
+            + p.ss * (ω3 * t21 * cos_φ3_minus_φ7);
+        let t23 = ω6 + t8;
         let cos_φ6_minus_φ7 = c6 * c7 + s6 * s7;
-        let t29 = t26 + p.d * (ω2 * t27 * cos_φ2_minus_φ7)
-            + p.zf * (ω6 * t28 * cos_φ6_minus_φ7);
-        let t30 = p.per_zf * (per_sin_φ6_minus_φ7 * t29);
-        let ω6_prime = -t30;
-        let cos_β_minus_φ6 = cos_β * c6 + sin_β * s6;
-        let ω6_minus_one = ω6 - 1.0;
-        let t31 = p.rr * (cos_β_minus_φ6 * ω6_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_φ6);
-        let ω2_minus_ω6 = ω2 - ω6;
-        let cos_φ2_minus_φ6 = c2 * c6 + s2 * s6;
-        let t32 = t31 + p.d * (ω2 * ω2_minus_ω6 * cos_φ2_minus_φ6)
-            - p.u * (ω7 * t28 * cos_φ6_minus_φ7);
-        let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t32);
-        let t33 = t23 + p.two_C4 * (ω * ω_prime) + p.two_C5 * (ω6 * ω6_prime)
+        let t24 = t22 - p.zf * (ω6 * t23 * cos_φ6_minus_φ7);
+        let ω6_prime = p.per_zf * (per_sin_φ6_minus_φ7 * t24);
+        let ω3_prime_sin_φ3_minus_φ6 = ω3_prime * sin_φ3_minus_φ6;
+        let ω3_minus_ω6 = ω3 - ω6;
+        let t25 = p.ss * ω3_prime_sin_φ3_minus_φ6
+            + p.ss * (ω3 * ω3_minus_ω6 * cos_φ3_minus_φ6);
+        let t26 = t25 + p.u * (ω7 * t23 * cos_φ6_minus_φ7);
+        let t27 = p.per_u * (per_sin_φ6_minus_φ7 * t26);
+        let ω7_prime = -t27;
+        let t28 = t17 + p.two_C4 * (ω * ω_prime) + p.two_C5 * (ω6 * ω6_prime)
             + p.two_C6 * (ω7 * ω7_prime);
         let ω2_prime_cos_β_minus_φ2 = ω2_prime * cos_β_minus_φ2;
         let sin_β_minus_φ2_ω2 = sin_β_minus_φ2 * ω2;
-        let t34 = t33 + p.C7 * ω2_prime_cos_β_minus_φ2
+        let t29 = t28 + p.C7 * ω2_prime_cos_β_minus_φ2
             + p.C7 * (sin_β_minus_φ2_ω2 * ω2_minus_one);
-        let ω3_prime_ω4 = ω3_prime * ω4;
-        let ω3_ω4_prime = ω3 * ω4_prime;
-        let t35 = t34 + p.C8 * (ω3_prime_ω4 * cos_φ3_minus_φ4)
-            + p.C8 * (ω3_ω4_prime * cos_φ3_minus_φ4);
-        let ω3_minus_ω4 = ω3 - ω4;
-        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
-        let ω3_prime_ω6 = ω3_prime * ω6;
-        let t36 = t35 - p.C8 * (ω3_ω4 * ω3_minus_ω4 * sin_φ3_minus_φ4)
-            + p.C9 * (ω3_prime_ω6 * cos_φ3_minus_φ6);
-        let ω3_ω6_prime = ω3 * ω6_prime;
-        let ω3_minus_ω6 = ω3 - ω6;
-        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
+        let t30 = t29 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
+            + p.C8 * (ω3 * ω4_prime * cos_φ3_minus_φ4);
+        let ω3_sin_φ3_minus_φ4 = ω3 * sin_φ3_minus_φ4;
+        let ω3_sin_φ3_minus_φ4_ω4 = ω3_sin_φ3_minus_φ4 * ω4;
+        let t31 = t30 - p.C8 * (ω3_sin_φ3_minus_φ4_ω4 * ω3_minus_ω4)
+            + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
+        let ω3_sin_φ3_minus_φ6 = ω3 * sin_φ3_minus_φ6;
+        let ω3_sin_φ3_minus_φ6_ω6 = ω3_sin_φ3_minus_φ6 * ω6;
         // its derivative
-        let dA_dβ = t36 + p.C9 * (ω3_ω6_prime * cos_φ3_minus_φ6)
-            - p.C9 * (ω3_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6);
-        let t37 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let dA_dβ = t31 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
+            - p.C9 * (ω3_sin_φ3_minus_φ6_ω6 * ω3_minus_ω6);
+        let t32 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t37.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t32.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_plus_φ3_0 = (φ3 + p.φ3_0) * 0.5;
         let (sin_half_φ3_plus_φ3_0, cos_half_φ3_plus_φ3_0) = half_φ3_plus_φ3_0
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
-        let t38 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
-        let t39 = p.sc * t38;
-        let t40 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
-        let t41 = t39 + t40;
-        let t42 = p.two_Δx_pull_0 + t39 + t40;
-        let t43 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t44 = p.sd * t38;
-        let t45 = t43 + t44;
-        let t46 = p.two_Δy_pull_0 + t43 + t44;
-        let t47 = t41 * t42 + t45 * t46;
-        let t48 = p.Δx_pull_0 + t39 + t40;
-        let t49 = p.Δy_pull_0 + t43 + t44;
-        let t50 = t48 * t48 + t49 * t49;
-        let t51 = t50.sqrt();
-        let t52 = p.L_pull_0 + t51;
-        let t53 = t52.recip();
-        let t54 = p.L_pull_0_minus_l0 + t47 * t53;
+        let t33 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
+        let t34 = p.sc * t33;
+        let t35 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        let t36 = t34 + t35;
+        let t37 = p.two_Δx_pull_0 + t34 + t35;
+        let t38 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
+        let t39 = p.sd * t33;
+        let t40 = t38 + t39;
+        let t41 = p.two_Δy_pull_0 + t38 + t39;
+        let t42 = t36 * t37 + t40 * t41;
+        let t43 = p.Δx_pull_0 + t34 + t35;
+        let t44 = p.Δy_pull_0 + t38 + t39;
+        let t45 = t43 * t43 + t44 * t44;
+        let t46 = t45.sqrt();
+        let t47 = p.L_pull_0 + t46;
+        let t48 = t47.recip();
+        let t49 = p.L_pull_0_minus_l0 + t42 * t48;
         let ω3_s3 = ω3 * s3;
-        let t55 = ω3 * t2;
-        let t56 = p.sc * ω3_s3 - p.sd * t55;
-        let t57 = p.sc * t55 + p.sd * ω3_s3;
-        let t58 = t42 * t56 + t41 * t56 + t46 * t57 + t45 * t57;
-        let t59 = t51.recip();
-        let t60 = t52 * t52;
-        let t61 = t60.recip();
-        let t62 = t59 * t47 * t61;
-        let t63 = t48 * t56 * 2.0 + t49 * t57 * 2.0;
-        let t64 = t53 * t58 - t62 * t63 * 0.5;
+        let t50 = ω3 * t2;
+        let t51 = p.sc * ω3_s3 - p.sd * t50;
+        let t52 = p.sc * t50 + p.sd * ω3_s3;
+        let t53 = t37 * t51 + t36 * t51 + t41 * t52 + t40 * t52;
+        let t54 = t46.recip();
+        let t55 = t47 * t47;
+        let t56 = t55.recip();
+        let t57 = t54 * t42 * t56;
+        let t58 = t43 * t51 * 2.0 + t44 * t52 * 2.0;
+        let t59 = t48 * t53 - t57 * t58 * 0.5;
         // springs
-        let dP_s_dβ = -(p.c0 * (t54 * t64));
+        let dP_s_dβ = -(p.c0 * (t49 * t59));
         let per_A = A.recip();
         let ω3_prime_s3 = ω3_prime * s3;
-        let t65 = ω3_squared * t2;
-        let t66 = ω3_prime * t2;
+        let t60 = ω3_squared * t2;
+        let t61 = ω3_prime * t2;
         let ω3_squared_s3 = ω3_squared * s3;
-        let t67 = p.sc * ω3_prime_s3 - p.sc * t65 - p.sd * t66 - p.sd * ω3_squared_s3;
-        let t68 = t56 * t56;
-        let t69 = t57 * t57;
-        let t70 = p.sc * t66 + p.sc * ω3_squared_s3 + p.sd * ω3_prime_s3 - p.sd * t65;
-        let t71 = t42 * t67 - t68 * 2.0 + t41 * t67 - t69 * 2.0 + t46 * t70 + t45 * t70;
-        let t72 = t59 * t61 * t63 * t58;
-        let t73 = t63 * t63;
-        let t74 = t50.recip() * t47 * (t52 * t60).recip() * t73 - t72
-            + t62 * ((t48 * t67 - t68) * 2.0 - (t69 - t49 * t70) * 2.0);
-        let t75 = t53 * t71 + t72 * 0.5
-            - (t74 + (t51 * (t51 * t51)).recip() * t47 * t61 * t73 * 0.5) * 0.5;
-        let ddP_s_dβ_dβ = p.c0 * (t64 * t64) - p.c0 * (t54 * t75);
-        let t76 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t14
+        let t62 = p.sc * ω3_prime_s3 - p.sc * t60 - p.sd * t61 - p.sd * ω3_squared_s3;
+        let t63 = t51 * t51;
+        let t64 = t52 * t52;
+        let t65 = p.sc * t61 + p.sc * ω3_squared_s3 + p.sd * ω3_prime_s3 - p.sd * t60;
+        let t66 = t37 * t62 - t63 * 2.0 + t36 * t62 - t64 * 2.0 + t41 * t65 + t40 * t65;
+        let t67 = t54 * t56 * t58 * t53;
+        let t68 = t58 * t58;
+        let t69 = t45.recip() * t42 * (t47 * t55).recip() * t68 - t67
+            + t57 * ((t43 * t62 - t63) * 2.0 - (t64 - t44 * t65) * 2.0);
+        let t70 = t48 * t66 + t67 * 0.5
+            - (t69 + (t46 * (t46 * t46)).recip() * t42 * t56 * t68 * 0.5) * 0.5;
+        let ddP_s_dβ_dβ = p.c0 * (t59 * t59) - p.c0 * (t49 * t70);
+        let t71 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t10
             * cos_φ2_minus_φ3;
-        let t77 = p.rr * (sin_β_minus_φ3 * (ω3_minus_one * ω3_minus_one))
+        let t72 = p.rr * (sin_β_minus_φ3 * (ω3_minus_one * ω3_minus_one))
             + p.rr * (cos_β_minus_φ3 * ω3_prime);
-        let t78 = t14 * cos_φ2_minus_φ3;
+        let t73 = t10 * cos_φ2_minus_φ3;
         let ω2_prime_minus_ω3_prime = ω2_prime - ω3_prime;
-        let t79 = t77 + p.d * (t78 * ω2_prime)
+        let t74 = t72 + p.d * (t73 * ω2_prime)
             + p.d * (ω2 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
-        let t80 = t14 * t14;
-        let t81 = p.per_d
-            * (per_sin_φ2_minus_φ3 * (t79 - p.d * (sin_φ2_minus_φ3 * ω2 * t80)));
-        let dω2_prime_dβ = p.per_d * (t76 * t15) - t81;
+        let t75 = t10 * t10;
+        let t76 = p.per_d
+            * (per_sin_φ2_minus_φ3 * (t74 - p.d * (sin_φ2_minus_φ3 * ω2 * t75)));
+        let dω2_prime_dβ = p.per_d * (t71 * t11) - t76;
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
-        let t82 = p.rr * (sin_β_minus_φ2 * ω2_minus_one_squared)
+        let t77 = p.rr * (sin_β_minus_φ2 * ω2_minus_one_squared)
             + p.rr * ω2_prime_cos_β_minus_φ2;
-        let t83 = t82 - p.ss * (t78 * ω3_prime)
+        let t78 = t77 - p.ss * (t73 * ω3_prime)
             - p.ss * (ω3 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
-        let t84 = p.per_ss
-            * (per_sin_φ2_minus_φ3 * (t83 + p.ss * (sin_φ2_minus_φ3 * ω3 * t80)));
-        let dω3_prime_dβ = t84 - p.per_ss * (t76 * t17);
-        let t85 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dβ)) * 2.0
+        let t79 = p.per_ss
+            * (per_sin_φ2_minus_φ3 * (t78 + p.ss * (sin_φ2_minus_φ3 * ω3 * t75)));
+        let dω3_prime_dβ = t79 - p.per_ss * (t71 * t12);
+        let t80 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dβ)) * 2.0
             + (p.C2 * (ω3_prime * ω3_prime) + p.C2 * (ω3 * dω3_prime_dβ)) * 2.0;
-        let t86 = (sin_φ4_minus_δ * sin_φ4_minus_δ).recip() * t20 * cos_φ4_minus_δ;
-        let t87 = p.rr * (sin_β_minus_δ * (ω_minus_one * ω_minus_one))
-            + p.rr * (cos_β_minus_δ * ω_prime);
-        let t88 = t87 + p.d * (sin_φ2_minus_δ * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * t19 * cos_φ2_minus_δ);
-        let t89 = t88 + p.d * (ω2 * cos_φ2_minus_δ * (ω2_prime - ω_prime))
-            - p.d * (ω2_sin_φ2_minus_δ * (t19 * t19));
-        let t90 = t20 * cos_φ4_minus_δ;
-        let ω4_prime_minus_ω_prime = ω4_prime - ω_prime;
-        let t91 = t89 + p.e * (t90 * ω4_prime)
-            + p.e * (ω4 * cos_φ4_minus_δ * ω4_prime_minus_ω_prime);
-        let t92 = t20 * t20;
-        let t93 = p.per_e
-            * (per_sin_φ4_minus_δ * (t91 - p.e * (sin_φ4_minus_δ * ω4 * t92)));
-        let dω4_prime_dβ = p.per_e * (t86 * t21) - t93;
-        let t94 = t85
+        let t81 = p.ss * (sin_φ3_minus_δ * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * t13 * cos_φ3_minus_δ);
+        let t82 = t81 + p.ss * (ω3 * cos_φ3_minus_δ * (ω3_prime + t20))
+            - p.ss * (ω3 * sin_φ3_minus_δ * (t13 * t13));
+        let t83 = t15 * cos_φ4_minus_δ;
+        let t84 = ω4_prime + t20;
+        let t85 = t15 * t15;
+        let t86 = t82 - p.e * (t83 * ω4_prime) - p.e * (ω4 * cos_φ4_minus_δ * t84)
+            + p.e * (sin_φ4_minus_δ * ω4 * t85);
+        let t87 = (sin_φ4_minus_δ * sin_φ4_minus_δ).recip() * t15 * cos_φ4_minus_δ;
+        let dω4_prime_dβ = p.per_e * (per_sin_φ4_minus_δ * t86)
+            - p.per_e * (t87 * t16);
+        let t88 = t80
             + (p.C3 * (ω4_prime * ω4_prime) + p.C3 * (ω4 * dω4_prime_dβ)) * 2.0;
-        let t95 = p.rr * (sin_β_minus_φ4 * (ω4_minus_one * ω4_minus_one))
-            + p.rr * (ω4_prime * cos_β_minus_φ4);
-        let t96 = t95 + p.d * (sin_φ2_minus_φ4 * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * ω2_minus_ω4 * cos_φ2_minus_φ4);
-        let t97 = t96 + p.d * (ω2 * cos_φ2_minus_φ4 * (t22 - t16))
-            - p.d * (ω2_sin_φ2_minus_φ4 * (ω2_minus_ω4 * ω2_minus_ω4));
-        let t98 = t97 - p.zt * (t90 * ω_prime)
-            - p.zt * (ω * cos_φ4_minus_δ * ω4_prime_minus_ω_prime);
-        let t99 = p.per_zt
-            * (per_sin_φ4_minus_δ * (t98 + p.zt * (sin_φ4_minus_δ * ω * t92)));
-        let dω_prime_dβ = t99 - p.per_zt * (t86 * t25);
-        let t100 = t94
+        let t89 = p.ss * (sin_φ3_minus_φ4 * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * ω3_minus_ω4 * cos_φ3_minus_φ4);
+        let ω3_cos_φ3_minus_φ4 = ω3 * cos_φ3_minus_φ4;
+        let ω3_prime_minus_ω4_prime = ω3_prime - ω4_prime;
+        let ω3_minus_ω4_squared = ω3_minus_ω4 * ω3_minus_ω4;
+        let t90 = t89 + p.ss * (ω3_cos_φ3_minus_φ4 * ω3_prime_minus_ω4_prime)
+            - p.ss * (ω3_sin_φ3_minus_φ4 * ω3_minus_ω4_squared);
+        let t91 = t90 + p.zt * (t83 * ω_prime) + p.zt * (ω * cos_φ4_minus_δ * t84)
+            - p.zt * (sin_φ4_minus_δ * ω * t85);
+        let dω_prime_dβ = p.per_zt * (t87 * t19)
+            - p.per_zt * (per_sin_φ4_minus_δ * t91);
+        let t92 = t88
             + (p.C4 * (ω_prime * ω_prime) + p.C4 * (ω * dω_prime_dβ)) * 2.0;
-        let t101 = (sin_φ6_minus_φ7 * sin_φ6_minus_φ7).recip() * t28
+        let t93 = p.ss * (sin_φ3_minus_φ7 * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * t21 * cos_φ3_minus_φ7);
+        let t94 = t93 + p.ss * (ω3 * cos_φ3_minus_φ7 * (ω3_prime + t27))
+            - p.ss * (ω3 * sin_φ3_minus_φ7 * (t21 * t21));
+        let t95 = t23 * cos_φ6_minus_φ7;
+        let t96 = ω6_prime + t27;
+        let t97 = t94 - p.zf * (t95 * ω6_prime)
+            - p.zf * (ω6 * cos_φ6_minus_φ7 * t96);
+        let t98 = t23 * t23;
+        let t99 = p.per_zf
+            * (per_sin_φ6_minus_φ7 * (t97 + p.zf * (sin_φ6_minus_φ7 * ω6 * t98)));
+        let t100 = (sin_φ6_minus_φ7 * sin_φ6_minus_φ7).recip() * t23
             * cos_φ6_minus_φ7;
-        let t102 = p.rr * (sin_β_minus_φ7 * (ω7_minus_one * ω7_minus_one))
-            + p.rr * (cos_β_minus_φ7 * ω7_prime);
-        let t103 = t102 + p.d * (sin_φ2_minus_φ7 * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * t27 * cos_φ2_minus_φ7);
-        let t104 = t103 + p.d * (ω2 * cos_φ2_minus_φ7 * (ω2_prime - ω7_prime))
-            - p.d * (ω2_sin_φ2_minus_φ7 * (t27 * t27));
-        let t105 = t28 * cos_φ6_minus_φ7;
-        let ω6_prime_minus_ω7_prime = ω6_prime - ω7_prime;
-        let t106 = t104 + p.zf * (t105 * ω6_prime)
-            + p.zf * (ω6 * cos_φ6_minus_φ7 * ω6_prime_minus_ω7_prime);
-        let t107 = t28 * t28;
-        let t108 = per_sin_φ6_minus_φ7
-            * (t106 - p.zf * (sin_φ6_minus_φ7 * ω6 * t107));
-        let dω6_prime_dβ = p.per_zf * (t101 * t29) - p.per_zf * t108;
-        let t109 = t100
+        let dω6_prime_dβ = t99 - p.per_zf * (t100 * t24);
+        let t101 = t92
             + (p.C5 * (ω6_prime * ω6_prime) + p.C5 * (ω6 * dω6_prime_dβ)) * 2.0;
-        let t110 = p.rr * (sin_β_minus_φ6 * (ω6_minus_one * ω6_minus_one))
-            + p.rr * (ω6_prime * cos_β_minus_φ6);
-        let t111 = t110 + p.d * (sin_φ2_minus_φ6 * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * ω2_minus_ω6 * cos_φ2_minus_φ6);
-        let t112 = t111 + p.d * (ω2 * cos_φ2_minus_φ6 * (t30 - t16))
-            - p.d * (ω2_sin_φ2_minus_φ6 * (ω2_minus_ω6 * ω2_minus_ω6));
-        let t113 = t112 - p.u * (t105 * ω7_prime)
-            - p.u * (ω7 * cos_φ6_minus_φ7 * ω6_prime_minus_ω7_prime);
-        let t114 = p.per_u
-            * (per_sin_φ6_minus_φ7 * (t113 + p.u * (sin_φ6_minus_φ7 * ω7 * t107)));
-        let dω7_prime_dβ = t114 - p.per_u * (t101 * t32);
-        let t115 = t109
+        let t102 = p.ss * (sin_φ3_minus_φ6 * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * ω3_minus_ω6 * cos_φ3_minus_φ6);
+        let ω3_cos_φ3_minus_φ6 = ω3 * cos_φ3_minus_φ6;
+        let ω3_prime_minus_ω6_prime = ω3_prime - ω6_prime;
+        let ω3_minus_ω6_squared = ω3_minus_ω6 * ω3_minus_ω6;
+        let t103 = t102 + p.ss * (ω3_cos_φ3_minus_φ6 * ω3_prime_minus_ω6_prime)
+            - p.ss * (ω3_sin_φ3_minus_φ6 * ω3_minus_ω6_squared);
+        let t104 = t103 + p.u * (t95 * ω7_prime)
+            + p.u * (ω7 * cos_φ6_minus_φ7 * t96);
+        let t105 = p.per_u
+            * (per_sin_φ6_minus_φ7 * (t104 - p.u * (sin_φ6_minus_φ7 * ω7 * t98)));
+        let dω7_prime_dβ = p.per_u * (t100 * t26) - t105;
+        let t106 = t101
             + (p.C6 * (ω7_prime * ω7_prime) + p.C6 * (ω7 * dω7_prime_dβ)) * 2.0;
-        let t116 = t115 + p.C7 * (cos_β_minus_φ2 * dω2_prime_dβ)
+        let t107 = t106 + p.C7 * (cos_β_minus_φ2 * dω2_prime_dβ)
             + p.two_C7 * (sin_β_minus_φ2 * ω2_prime * ω2_minus_one);
-        let t117 = t116 + p.C7 * (sin_β_minus_φ2_ω2 * ω2_prime)
+        let t108 = t107 + p.C7 * (sin_β_minus_φ2_ω2 * ω2_prime)
             - p.C7 * (ω2_cos_β_minus_φ2 * ω2_minus_one_squared);
-        let t118 = t117 + p.C8 * (ω4 * cos_φ3_minus_φ4 * dω3_prime_dβ)
+        let t109 = t108 + p.C8 * (ω4 * cos_φ3_minus_φ4 * dω3_prime_dβ)
             + p.two_C8 * (ω3_prime * ω4_prime * cos_φ3_minus_φ4);
-        let t119 = t118 - p.two_C8 * (ω3_prime_ω4 * ω3_minus_ω4 * sin_φ3_minus_φ4)
-            + p.C8 * (ω3 * cos_φ3_minus_φ4 * dω4_prime_dβ);
-        let t120 = t119 - p.two_C8 * (ω3_ω4_prime * ω3_minus_ω4 * sin_φ3_minus_φ4)
-            - p.C8 * (ω3_ω4 * sin_φ3_minus_φ4 * (ω3_prime + t22));
-        let t121 = t120
-            - p.C8 * (ω3_ω4_cos_φ3_minus_φ4 * (ω3_minus_ω4 * ω3_minus_ω4));
-        let t122 = t121 + p.C9 * (ω6 * cos_φ3_minus_φ6 * dω3_prime_dβ)
-            + p.two_C9 * (ω3_prime * ω6_prime * cos_φ3_minus_φ6);
-        let t123 = t122 - p.two_C9 * (ω3_prime_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6)
-            + p.C9 * (ω3 * cos_φ3_minus_φ6 * dω6_prime_dβ);
-        let t124 = t123 - p.two_C9 * (ω3_ω6_prime * ω3_minus_ω6 * sin_φ3_minus_φ6)
-            - p.C9 * (ω3_ω6 * sin_φ3_minus_φ6 * (ω3_prime + t30));
-        let ddA_dβ_dβ = t124
-            - p.C9 * (ω3_ω6_cos_φ3_minus_φ6 * (ω3_minus_ω6 * ω3_minus_ω6));
+        let t110 = t109 - p.two_C8 * (ω3_prime_sin_φ3_minus_φ4 * ω4 * ω3_minus_ω4)
+            + p.C8 * (ω3_cos_φ3_minus_φ4 * dω4_prime_dβ);
+        let t111 = t110 - p.two_C8 * (ω3_sin_φ3_minus_φ4 * ω4_prime * ω3_minus_ω4)
+            - p.C8 * (ω3_ω4 * ω3_minus_ω4_squared * cos_φ3_minus_φ4);
+        let t112 = t111 - p.C8 * (ω3_sin_φ3_minus_φ4_ω4 * ω3_prime_minus_ω4_prime)
+            + p.C9 * (ω6 * cos_φ3_minus_φ6 * dω3_prime_dβ);
+        let t113 = t112 + p.two_C9 * (ω3_prime * ω6_prime * cos_φ3_minus_φ6)
+            - p.two_C9 * (ω3_prime_sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6);
+        let t114 = t113 + p.C9 * (ω3_cos_φ3_minus_φ6 * dω6_prime_dβ)
+            - p.two_C9 * (ω3_sin_φ3_minus_φ6 * ω6_prime * ω3_minus_ω6);
+        let ddA_dβ_dβ = t114
+            - p.C9 * (ω3_ω6 * ω3_minus_ω6_squared * cos_φ3_minus_φ6)
+            - p.C9 * (ω3_sin_φ3_minus_φ6_ω6 * ω3_prime_minus_ω6_prime);
         // ── state ──
         let dβ_squared = dβ * dβ;
-        let t125 = (A * A).recip() * dA_dβ
+        let t115 = (A * A).recip() * dA_dβ
             * (dP_s_dβ - p.mom + dA_dβ * 0.5 * dβ_squared);
-        let dddβ_dβ = t125 - per_A * (ddP_s_dβ_dβ + ddA_dβ_dβ * 0.5 * dβ_squared);
+        let dddβ_dβ = t115 - per_A * (ddP_s_dβ_dβ + ddA_dβ_dβ * 0.5 * dβ_squared);
         let dddβ_ddβ = -(per_A * dA_dβ * dβ);
         result[1] = T::from_f64(1.0);
         result[2] = dddβ_dβ;
@@ -1590,11 +1538,9 @@ pub mod andrews {
         let turn_lower_arm = d[5];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1604,43 +1550,42 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_s1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
         // angle of `coupler`
         let φ2 = p.φ2_0 + φ2_minus_φ2_0;
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
-        let c3 = -(p.per_ss * (X1 - X1_κ1 + Y1_η1));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t3 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
+        let c3 = -t3;
+        let t4 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t3;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t4 = per_D2
+        let t5 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t4;
+        let η2 = p.half_s2_2 * t5;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let t5 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let t6 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `upper` from the assembled one
-        let φ4_minus_φ4_0 = t5.unwrap_to(turn_upper);
+        let φ4_minus_φ4_0 = t6.unwrap_to(turn_upper);
         // angle of `upper`
         let φ4 = p.φ4_0 + φ4_minus_φ4_0;
         let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
@@ -1653,24 +1598,24 @@ pub mod andrews {
         let δ = p.δ_0 + δ_minus_δ_0;
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t6 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t6;
+        let η3 = p.half_s3_2 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
         let Y2_η3 = Y2 * η3;
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t7 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let t8 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t7.unwrap_to(turn_lower);
+        let φ6_minus_φ6_0 = t8.unwrap_to(turn_lower);
         // angle of `lower`
         let φ6 = p.φ6_0 + φ6_minus_φ6_0;
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t8 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        let t9 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
         // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t8.unwrap_to(turn_lower_arm);
+        let φ7_minus_φ7_0 = t9.unwrap_to(turn_lower_arm);
         // angle of `lower_arm`
         let φ7 = p.φ7_0 + φ7_minus_φ7_0;
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
@@ -1682,33 +1627,21 @@ pub mod andrews {
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -(p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2));
         let sin_φ4_minus_δ = s4 * c - c4 * s;
-        let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
-        let t9 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
+        let ω3_per_sin_φ4_minus_δ = ω3 * sin_φ4_minus_δ.recip();
+        let sin_φ3_minus_δ = s3 * c - c3 * s;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t9;
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t10 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -(p.per_zt * t10);
+        let ω = -(p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4));
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
-        let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t11 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * sin_φ6_minus_φ7.recip();
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t11;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t12 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -(p.per_u * t12);
+        let ω7 = -(p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6));
         // ── state ──
         let coupler_rate = ω2 * dβ;
         let lever_rate = ω3 * dβ;
@@ -1746,11 +1679,9 @@ pub mod andrews {
         let turn_lever = d[1];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1760,13 +1691,12 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_s1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
-        let c3 = -(p.per_ss * (X1 - X1_κ1 + Y1_η1));
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let t2 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
+        let c3 = -t2;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
         let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
@@ -1776,17 +1706,17 @@ pub mod andrews {
         let sin_β_minus_φ2 = sin_β * c2 - cos_β * s2;
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -(p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2));
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t2 = per_D2
+        let t3 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t2;
+        let η2 = p.half_s2_2 * t3;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
@@ -1795,26 +1725,20 @@ pub mod andrews {
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
         let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let sin_φ4_minus_δ = s4 * c - c4 * s;
-        let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c - cos_β * s;
-        let sin_φ2_minus_δ = s2 * c - c2 * s;
-        let t3 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
+        let ω3_per_sin_φ4_minus_δ = ω3 * sin_φ4_minus_δ.recip();
+        let sin_φ3_minus_δ = s3 * c - c3 * s;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t3;
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t4 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω = -(p.per_zt * t4);
-        let t5 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
+        let ω = -(p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4));
+        let t4 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
             + p.C4 * (ω * ω);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t6 = per_D2
+        let t5 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t6;
+        let η3 = p.half_s3_2 * t5;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1823,49 +1747,43 @@ pub mod andrews {
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
-        let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t7 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * sin_φ6_minus_φ7.recip();
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t7;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t8 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -(p.per_u * t8);
+        let ω7 = -(p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6));
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
-        let t9 = t5 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t6 = t4 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * (ω2 * cos_β_minus_φ2);
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
         let cos_φ3_minus_φ6 = c3 * c6 + s3 * s6;
         // inertia
-        let A = t9 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
+        let A = t6 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
             + p.C9 * (ω3 * ω6 * cos_φ3_minus_φ6);
-        let t10 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t7 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t10.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t7.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_plus_φ3_0 = (φ3 + p.φ3_0) * 0.5;
         let (sin_half_φ3_plus_φ3_0, cos_half_φ3_plus_φ3_0) = half_φ3_plus_φ3_0
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
-        let t11 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
-        let t12 = p.sc * t11;
-        let t13 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
-        let t14 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
-        let t15 = p.sd * t11;
-        let t16 = (t12 + t13) * (p.two_Δx_pull_0 + t12 + t13)
-            + (t14 + t15) * (p.two_Δy_pull_0 + t14 + t15);
-        let t17 = p.Δx_pull_0 + t12 + t13;
-        let t18 = p.Δy_pull_0 + t14 + t15;
-        let t19 = p.L_pull_0_minus_l0
-            + t16 * (p.L_pull_0 + (t17 * t17 + t18 * t18).sqrt()).recip();
+        let t8 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
+        let t9 = p.sc * t8;
+        let t10 = p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
+        let t11 = p.sc * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0);
+        let t12 = p.sd * t8;
+        let t13 = (t9 + t10) * (p.two_Δx_pull_0 + t9 + t10)
+            + (t11 + t12) * (p.two_Δy_pull_0 + t11 + t12);
+        let t14 = p.Δx_pull_0 + t9 + t10;
+        let t15 = p.Δy_pull_0 + t11 + t12;
+        let t16 = p.L_pull_0_minus_l0
+            + t13 * (p.L_pull_0 + (t14 * t14 + t15 * t15).sqrt()).recip();
         result[0] = A * 0.5 * (dβ * dβ);
-        result[1] = p.half_c0 * (t19 * t19);
+        result[1] = p.half_c0 * (t16 * t16);
         result[2] = T::from_f64(0.0);
         result[3] = p.mom * dβ;
     }
@@ -1892,20 +1810,19 @@ pub mod andrews {
         let β = x[0];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_cos_β = p.rr * cos_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
+        let X1 = p.xb - p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let t1 = (D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared);
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let η1 = p.half_s1 * (per_D1 * (-t1).sqrt());
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * (p.per_d * (X1 * κ1 - Y1 * η1));
-        let Y2 = p.ya - rr_sin_β - p.d * (p.per_d * (Y1 * κ1 + X1 * η1));
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * (p.per_ss * (X1 - X1 * κ1 + Y1 * η1));
+        let s3 = p.per_ss * (Y1 * κ1 - Y1 + X1 * η1);
+        let Y2 = p.ya_minus_yb - p.ss * s3;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let t2 = p.constant5
@@ -1935,11 +1852,9 @@ pub mod andrews {
         let turn_lower_arm = d[5];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1949,39 +1864,38 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_s1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
-        let c3 = -(p.per_ss * (X1 - X1_κ1 + Y1_η1));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t3 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
+        let c3 = -t3;
+        let t4 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_lever);
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_lever);
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t3;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t4 = per_D2
+        let t5 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_s2_2 * t4;
+        let η2 = p.half_s2_2 * t5;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let t5 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let t6 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `upper` from the assembled one
-        let φ4_minus_φ4_0 = t5.unwrap_to(turn_upper);
+        let φ4_minus_φ4_0 = t6.unwrap_to(turn_upper);
         let s = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let c = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
         // angle of `upper_arm` from the assembled one
@@ -1990,22 +1904,22 @@ pub mod andrews {
             .unwrap_to(turn_upper_arm);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t6 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_s3_2 * t6;
+        let η3 = p.half_s3_2 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
         let Y2_η3 = Y2 * η3;
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t7 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let t8 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t7.unwrap_to(turn_lower);
+        let φ6_minus_φ6_0 = t8.unwrap_to(turn_lower);
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t8 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        let t9 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
         // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t8.unwrap_to(turn_lower_arm);
+        let φ7_minus_φ7_0 = t9.unwrap_to(turn_lower_arm);
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
         result[2] = φ4_minus_φ4_0;
@@ -2126,8 +2040,8 @@ pub mod andrews {
         fn loop_name(&self, index: usize) -> &str {
             const NAMES: [&str; 3] = [
                 "crank–coupler–lever",
-                "crank–coupler–upper–upper_arm",
-                "crank–coupler–lower–lower_arm",
+                "lever–upper–upper_arm",
+                "lever–lower–lower_arm",
             ];
             NAMES[index]
         }
@@ -2945,7 +2859,7 @@ pub mod andrews {
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–upper–upper_arm cannot close: at `crank` angle {3} the gap is {0}",
+                "the loop lever–upper–upper_arm cannot close: the gap is {0}",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -2961,11 +2875,11 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–upper–upper_arm stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop lever–upper–upper_arm stands at a dead point: two of its links lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -2981,11 +2895,11 @@ pub mod andrews {
                     "link upper      from G to E { length = e,  angle = -0.86, mass = m4, com = (e - ea, 0 mm), inertia = I4, symbol = φ4 }",
                 ),
             }),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lower–lower_arm cannot close: at `crank` angle {3} the gap is {0}",
+                "the loop lever–lower–lower_arm cannot close: the gap is {0}",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -3001,11 +2915,11 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lower–lower_arm stands at a dead point: at `crank` angle {3} two of its links lie in one line",
+                "the loop lever–lower–lower_arm stands at a dead point: two of its links lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -3021,7 +2935,7 @@ pub mod andrews {
                     "link lower      from H to E { length = zf, angle = 1.01,  mass = m6, com = (zf - fa, 0 mm), inertia = I6, symbol = φ6 }",
                 ),
             }),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed("`crank` can move but has no mass"),
@@ -3074,13 +2988,13 @@ Loop crank–coupler–lever
   ω2' = (rr (ω3 - 1) cos(β - φ3) + d ω2 (ω2 - ω3) cos(φ2 - φ3)) / (d sin(φ3 - φ2))
   ω3' = (rr (ω2 - 1) cos(β - φ2) + ss ω3 (ω3 - ω2) cos(φ2 - φ3)) / (ss sin(φ2 - φ3))
 
-Loop crank–coupler–upper–upper_arm
-──────────────────────────────────
+Loop lever–upper–upper_arm
+──────────────────────────
 
-  rr e^(i β) - d e^(i φ2) - e e^(i φ4) - zt e^(i δ) - i ya - xa = 0
+  ss e^(i φ3) - e e^(i φ4) - zt e^(i δ) - (xa - xb) - i (ya - yb) = 0
 
-  X2 = xa - rr cos(β) + d cos(φ2)
-  Y2 = ya - rr sin(β) + d sin(φ2)
+  X2 = xa - xb - ss cos(φ3)
+  Y2 = ya - yb - ss sin(φ3)
   D2 = X2² + Y2²
   κ2 = (D2 + e² - zt²) / (2 D2)
   η2 = s2_2 sqrt((D2 - (e - zt)²) ((e + zt)² - D2)) / (2 D2)
@@ -3091,20 +3005,20 @@ Loop crank–coupler–upper–upper_arm
 
   φ4 = atan2(s4, c4), δ = atan2(s, c), continuous over many turns; ⁰: as assembled
 
-  ω4  = (rr sin(β - δ) + d ω2 sin(δ - φ2)) / (e sin(φ4 - δ))
-  ω   = (rr sin(β - φ4) + d ω2 sin(φ4 - φ2)) / (zt sin(δ - φ4))
-  ω4' = (rr (ω - 1) cos(β - δ) + d ω2' sin(φ2 - δ) + d ω2 (ω2 - ω) cos(φ2 - δ)
-          + e ω4 (ω4 - ω) cos(φ4 - δ)) / (e sin(δ - φ4))
-  ω'  = (rr (ω4 - 1) cos(β - φ4) + d ω2' sin(φ2 - φ4) + d ω2 (ω2 - ω4) cos(φ2 - φ4)
-          + zt ω (ω - ω4) cos(φ4 - δ)) / (zt sin(φ4 - δ))
+  ω4  = ss ω3 sin(φ3 - δ) / (e sin(φ4 - δ))
+  ω   = ss ω3 sin(φ4 - φ3) / (zt sin(φ4 - δ))
+  ω4' = (ss ω3' sin(φ3 - δ) + ss ω3 (ω3 - ω) cos(φ3 - δ) + e ω4 (ω - ω4) cos(φ4 - δ))
+          / (e sin(φ4 - δ))
+  ω'  = (ss ω3' sin(φ3 - φ4) + ss ω3 (ω3 - ω4) cos(φ3 - φ4) + zt ω (ω4 - ω) cos(φ4 - δ))
+          / (zt sin(δ - φ4))
 
-Loop crank–coupler–lower–lower_arm
-──────────────────────────────────
+Loop lever–lower–lower_arm
+──────────────────────────
 
-  rr e^(i β) - d e^(i φ2) - zf e^(i φ6) - u e^(i φ7) - i ya - xa = 0
+  ss e^(i φ3) - zf e^(i φ6) - u e^(i φ7) - (xa - xb) - i (ya - yb) = 0
 
-  X3 = xa - rr cos(β) + d cos(φ2)
-  Y3 = ya - rr sin(β) + d sin(φ2)
+  X3 = xa - xb - ss cos(φ3)
+  Y3 = ya - yb - ss sin(φ3)
   D3 = X3² + Y3²
   κ3 = (D3 + zf² - u²) / (2 D3)
   η3 = s3_2 sqrt((D3 - (zf - u)²) ((zf + u)² - D3)) / (2 D3)
@@ -3115,12 +3029,12 @@ Loop crank–coupler–lower–lower_arm
 
   φ6 = atan2(s6, c6), φ7 = atan2(s7, c7), continuous over many turns; ⁰: as assembled
 
-  ω6  = (rr sin(β - φ7) + d ω2 sin(φ7 - φ2)) / (zf sin(φ6 - φ7))
-  ω7  = (rr sin(β - φ6) + d ω2 sin(φ6 - φ2)) / (u sin(φ7 - φ6))
-  ω6' = (rr (ω7 - 1) cos(β - φ7) + d ω2' sin(φ2 - φ7) + d ω2 (ω2 - ω7) cos(φ2 - φ7)
-          + zf ω6 (ω6 - ω7) cos(φ6 - φ7)) / (zf sin(φ7 - φ6))
-  ω7' = (rr (ω6 - 1) cos(β - φ6) + d ω2' sin(φ2 - φ6) + d ω2 (ω2 - ω6) cos(φ2 - φ6)
-          + u ω7 (ω7 - ω6) cos(φ6 - φ7)) / (u sin(φ6 - φ7))
+  ω6  = ss ω3 sin(φ3 - φ7) / (zf sin(φ6 - φ7))
+  ω7  = ss ω3 sin(φ6 - φ3) / (u sin(φ6 - φ7))
+  ω6' = (ss ω3' sin(φ3 - φ7) + ss ω3 (ω3 - ω7) cos(φ3 - φ7) + zf ω6 (ω7 - ω6) cos(φ6 - φ7))
+          / (zf sin(φ6 - φ7))
+  ω7' = (ss ω3' sin(φ3 - φ6) + ss ω3 (ω3 - ω6) cos(φ3 - φ6) + u ω7 (ω6 - ω7) cos(φ6 - φ7))
+          / (u sin(φ7 - φ6))
 
 Constants of the inertia
 ────────────────────────
@@ -3200,7 +3114,6 @@ Constants
 ─────────
 
   β⁰       = beta0                             angle of `crank` as assembled
-  φ2⁰      = unwrap(atan2(s2⁰, c2⁰); -0.06)    angle of `coupler` as assembled
   φ3⁰      = unwrap(atan2(s3⁰, c3⁰); -1.12)    angle of `lever` as assembled
   s1       = if (d X1⁰ sin(0.06) + d Y1⁰ cos(0.06)) / d² > (ss X1⁰ sin(1.12) + ss Y1⁰ cos(1.12))
                / ss² then 1 else -1
@@ -3210,20 +3123,18 @@ Constants
   D1⁰      = (X1⁰)² + (Y1⁰)²
   κ1⁰      = (d² - ss² + D1⁰) / (2 D1⁰)
   η1⁰      = s1 sqrt(((d - ss)² - D1⁰) (D1⁰ - (d + ss)²)) / (2 D1⁰)
-  c2⁰      = (Y1⁰ η1⁰ - X1⁰ κ1⁰) / d
-  s2⁰      = -(Y1⁰ κ1⁰ + X1⁰ η1⁰) / d
   c3⁰      = -(X1⁰ - X1⁰ κ1⁰ + Y1⁰ η1⁰) / ss
   s3⁰      = (Y1⁰ κ1⁰ - Y1⁰ + X1⁰ η1⁰) / ss
   s2_2     = if (e X2⁰ sin(0.86) + e Y2⁰ cos(0.86)) / e² + (zt X2⁰ sin(0.49) - zt Y2⁰ cos(0.49))
                / zt² > 0 then 1 else -1
              which way the loop closes: as drawn
-  X2⁰      = xa - rr cos(β⁰) + d cos(φ2⁰)
-  Y2⁰      = ya - rr sin(β⁰) + d sin(φ2⁰)
+  X2⁰      = xa - xb - ss cos(φ3⁰)
+  Y2⁰      = ya - yb - ss sin(φ3⁰)
   s3_2     = if (zf Y3⁰ cos(1.01) - zf X3⁰ sin(1.01)) / zf²
                > (u X3⁰ sin(0.34) + u Y3⁰ cos(0.34)) / u² then 1 else -1
              which way the loop closes: as drawn
-  X3⁰      = xa - rr cos(β⁰) + d cos(φ2⁰)
-  Y3⁰      = ya - rr sin(β⁰) + d sin(φ2⁰)
+  X3⁰      = xa - xb - ss cos(φ3⁰)
+  Y3⁰      = ya - yb - ss sin(φ3⁰)
   Δx_pull⁰ = xb - xc + sc cos(φ3⁰) - sd sin(φ3⁰)
   Δy_pull⁰ = yb - yc + sc sin(φ3⁰) + sd cos(φ3⁰)
   L_pull⁰  = sqrt((Δx_pull⁰)² + (Δy_pull⁰)²)   length of `pull` as assembled
@@ -3263,11 +3174,11 @@ D_{1} &= X_{1}^{2} + Y_{1}^{2} \\
 \omega'_{3} &= \frac{\mathit{rr} \left(\omega_{2} - 1\right) \cos\left(\beta - \varphi_{2}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{\mathit{ss} \sin\left(\varphi_{2} - \varphi_{3}\right)}
 \end{align*}
 
-\subsection*{Loop crank–coupler–upper–upper\_arm}
+\subsection*{Loop lever–upper–upper\_arm}
 \begin{align*}
-& \mathit{rr}\, e^{i \beta} - d\, e^{i \varphi_{2}} - e\, e^{i \varphi_{4}} - \mathit{zt}\, e^{i \delta} - i\,\mathit{ya} - \mathit{xa} = 0 \\
-X_{2} &= \mathit{xa} - \mathit{rr} \cos \beta + d \cos \varphi_{2} \\
-Y_{2} &= \mathit{ya} - \mathit{rr} \sin \beta + d \sin \varphi_{2} \\
+& \mathit{ss}\, e^{i \varphi_{3}} - e\, e^{i \varphi_{4}} - \mathit{zt}\, e^{i \delta} - \left(\mathit{xa} - \mathit{xb}\right) - i\,\left(\mathit{ya} - \mathit{yb}\right) = 0 \\
+X_{2} &= \mathit{xa} - \mathit{xb} - \mathit{ss} \cos \varphi_{3} \\
+Y_{2} &= \mathit{ya} - \mathit{yb} - \mathit{ss} \sin \varphi_{3} \\
 D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \kappa_{2} &= \frac{D_{2} + e^{2} - \mathit{zt}^{2}}{2 \, D_{2}} \\
 \eta_{2} &= \frac{s_{2,2}}{2 \, D_{2}} \, \sqrt{\left(D_{2} - \left(e - \mathit{zt}\right)^{2}\right) \left(\left(e + \mathit{zt}\right)^{2} - D_{2}\right)} \\
@@ -3276,17 +3187,17 @@ D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \cos \delta &= -\frac{X_{2} - X_{2} \, \kappa_{2} + Y_{2} \, \eta_{2}}{\mathit{zt}} \\
 \sin \delta &= \frac{Y_{2} \, \kappa_{2} - Y_{2} + X_{2} \, \eta_{2}}{\mathit{zt}} \\
 & \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}),\quad \delta = \operatorname{atan2}(\sin \delta, \cos \delta) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
-\omega_{4} &= \frac{\mathit{rr} \sin\left(\beta - \delta\right) + d \, \omega_{2} \sin\left(\delta - \varphi_{2}\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
-\omega &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{4}\right) + d \, \omega_{2} \sin\left(\varphi_{4} - \varphi_{2}\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)} \\
-\omega'_{4} &= \frac{\mathit{rr} \left(\omega - 1\right) \cos\left(\beta - \delta\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \delta\right) + d \, \omega_{2} \left(\omega_{2} - \omega\right) \cos\left(\varphi_{2} - \delta\right) + e \, \omega_{4} \left(\omega_{4} - \omega\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\delta - \varphi_{4}\right)} \\
-\omega' &= \frac{\mathit{rr} \left(\omega_{4} - 1\right) \cos\left(\beta - \varphi_{4}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{4}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{4}\right) \cos\left(\varphi_{2} - \varphi_{4}\right) + \mathit{zt} \, \omega \left(\omega - \omega_{4}\right) \cos\left(\varphi_{4} - \delta\right)}{\mathit{zt} \sin\left(\varphi_{4} - \delta\right)}
+\omega_{4} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{3} - \delta\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
+\omega &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{4} - \varphi_{3}\right)}{\mathit{zt} \sin\left(\varphi_{4} - \delta\right)} \\
+\omega'_{4} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \delta\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega\right) \cos\left(\varphi_{3} - \delta\right) + e \, \omega_{4} \left(\omega - \omega_{4}\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
+\omega' &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \varphi_{4}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{4}\right) \cos\left(\varphi_{3} - \varphi_{4}\right) + \mathit{zt} \, \omega \left(\omega_{4} - \omega\right) \cos\left(\varphi_{4} - \delta\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)}
 \end{align*}
 
-\subsection*{Loop crank–coupler–lower–lower\_arm}
+\subsection*{Loop lever–lower–lower\_arm}
 \begin{align*}
-& \mathit{rr}\, e^{i \beta} - d\, e^{i \varphi_{2}} - \mathit{zf}\, e^{i \varphi_{6}} - u\, e^{i \varphi_{7}} - i\,\mathit{ya} - \mathit{xa} = 0 \\
-X_{3} &= \mathit{xa} - \mathit{rr} \cos \beta + d \cos \varphi_{2} \\
-Y_{3} &= \mathit{ya} - \mathit{rr} \sin \beta + d \sin \varphi_{2} \\
+& \mathit{ss}\, e^{i \varphi_{3}} - \mathit{zf}\, e^{i \varphi_{6}} - u\, e^{i \varphi_{7}} - \left(\mathit{xa} - \mathit{xb}\right) - i\,\left(\mathit{ya} - \mathit{yb}\right) = 0 \\
+X_{3} &= \mathit{xa} - \mathit{xb} - \mathit{ss} \cos \varphi_{3} \\
+Y_{3} &= \mathit{ya} - \mathit{yb} - \mathit{ss} \sin \varphi_{3} \\
 D_{3} &= X_{3}^{2} + Y_{3}^{2} \\
 \kappa_{3} &= \frac{D_{3} + \mathit{zf}^{2} - u^{2}}{2 \, D_{3}} \\
 \eta_{3} &= \frac{s_{3,2}}{2 \, D_{3}} \, \sqrt{\left(D_{3} - \left(\mathit{zf} - u\right)^{2}\right) \left(\left(\mathit{zf} + u\right)^{2} - D_{3}\right)} \\
@@ -3295,10 +3206,10 @@ D_{3} &= X_{3}^{2} + Y_{3}^{2} \\
 \cos \varphi_{7} &= -\frac{X_{3} - X_{3} \, \kappa_{3} + Y_{3} \, \eta_{3}}{u} \\
 \sin \varphi_{7} &= \frac{Y_{3} \, \kappa_{3} - Y_{3} + X_{3} \, \eta_{3}}{u} \\
 & \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}),\quad \varphi_{7} = \operatorname{atan2}(\sin \varphi_{7}, \cos \varphi_{7}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
-\omega_{6} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{7}\right) + d \, \omega_{2} \sin\left(\varphi_{7} - \varphi_{2}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
-\omega_{7} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{6}\right) + d \, \omega_{2} \sin\left(\varphi_{6} - \varphi_{2}\right)}{u \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
-\omega'_{6} &= \frac{\mathit{rr} \left(\omega_{7} - 1\right) \cos\left(\beta - \varphi_{7}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{7}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{7}\right) \cos\left(\varphi_{2} - \varphi_{7}\right) + \mathit{zf} \, \omega_{6} \left(\omega_{6} - \omega_{7}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
-\omega'_{7} &= \frac{\mathit{rr} \left(\omega_{6} - 1\right) \cos\left(\beta - \varphi_{6}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{6}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{6}\right) \cos\left(\varphi_{2} - \varphi_{6}\right) + u \, \omega_{7} \left(\omega_{7} - \omega_{6}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{u \sin\left(\varphi_{6} - \varphi_{7}\right)}
+\omega_{6} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{3} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
+\omega_{7} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{6} - \varphi_{3}\right)}{u \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
+\omega'_{6} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \varphi_{7}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{7}\right) \cos\left(\varphi_{3} - \varphi_{7}\right) + \mathit{zf} \, \omega_{6} \left(\omega_{7} - \omega_{6}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
+\omega'_{7} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \varphi_{6}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{6}\right) \cos\left(\varphi_{3} - \varphi_{6}\right) + u \, \omega_{7} \left(\omega_{6} - \omega_{7}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{u \sin\left(\varphi_{7} - \varphi_{6}\right)}
 \end{align*}
 
 \subsection*{Constants of the inertia}
@@ -3348,7 +3259,6 @@ A(\beta) &= C_{0} \\
 \subsection*{Constants}
 \begin{align*}
 \beta^0 &= \beta_{0} && \text{angle of \texttt{crank} as assembled} \\
-\varphi_{2}^0 &= \operatorname{unwrap}\left(\operatorname{atan2}\left(\sin \varphi_{2}^0, \cos \varphi_{2}^0\right); -0.06\right) && \text{angle of \texttt{coupler} as assembled} \\
 \varphi_{3}^0 &= \operatorname{unwrap}\left(\operatorname{atan2}\left(\sin \varphi_{3}^0, \cos \varphi_{3}^0\right); -1.12\right) && \text{angle of \texttt{lever} as assembled} \\
 s_{1} &= \begin{cases} 1 & \text{if } \frac{d \, {X_{1}}^0 \sin 0.06 + d \, {Y_{1}}^0 \cos 0.06}{d^{2}} > \frac{\mathit{ss} \, {X_{1}}^0 \sin 1.12 + \mathit{ss} \, {Y_{1}}^0 \cos 1.12}{\mathit{ss}^{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
 {X_{1}}^0 &= \mathit{xb} - \mathit{rr} \cos \beta^0 \\
@@ -3356,16 +3266,14 @@ s_{1} &= \begin{cases} 1 & \text{if } \frac{d \, {X_{1}}^0 \sin 0.06 + d \, {Y_{
 {D_{1}}^0 &= \left({X_{1}}^0\right)^{2} + \left({Y_{1}}^0\right)^{2} \\
 {\kappa_{1}}^0 &= \frac{d^{2} - \mathit{ss}^{2} + {D_{1}}^0}{2 \, {D_{1}}^0} \\
 {\eta_{1}}^0 &= \frac{s_{1}}{2 \, {D_{1}}^0} \, \sqrt{\left(\left(d - \mathit{ss}\right)^{2} - {D_{1}}^0\right) \left({D_{1}}^0 - \left(d + \mathit{ss}\right)^{2}\right)} \\
-\cos \varphi_{2}^0 &= \frac{{Y_{1}}^0 \, {\eta_{1}}^0 - {X_{1}}^0 \, {\kappa_{1}}^0}{d} \\
-\sin \varphi_{2}^0 &= -\frac{{Y_{1}}^0 \, {\kappa_{1}}^0 + {X_{1}}^0 \, {\eta_{1}}^0}{d} \\
 \cos \varphi_{3}^0 &= -\frac{{X_{1}}^0 - {X_{1}}^0 \, {\kappa_{1}}^0 + {Y_{1}}^0 \, {\eta_{1}}^0}{\mathit{ss}} \\
 \sin \varphi_{3}^0 &= \frac{{Y_{1}}^0 \, {\kappa_{1}}^0 - {Y_{1}}^0 + {X_{1}}^0 \, {\eta_{1}}^0}{\mathit{ss}} \\
 s_{2,2} &= \begin{cases} 1 & \text{if } \frac{e \, {X_{2}}^0 \sin 0.86 + e \, {Y_{2}}^0 \cos 0.86}{e^{2}} + \frac{\mathit{zt} \, {X_{2}}^0 \sin 0.49 - \mathit{zt} \, {Y_{2}}^0 \cos 0.49}{\mathit{zt}^{2}} > 0 \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{2}}^0 &= \mathit{xa} - \mathit{rr} \cos \beta^0 + d \cos \varphi_{2}^0 \\
-{Y_{2}}^0 &= \mathit{ya} - \mathit{rr} \sin \beta^0 + d \sin \varphi_{2}^0 \\
+{X_{2}}^0 &= \mathit{xa} - \mathit{xb} - \mathit{ss} \cos \varphi_{3}^0 \\
+{Y_{2}}^0 &= \mathit{ya} - \mathit{yb} - \mathit{ss} \sin \varphi_{3}^0 \\
 s_{3,2} &= \begin{cases} 1 & \text{if } \frac{\mathit{zf} \, {Y_{3}}^0 \cos 1.01 - \mathit{zf} \, {X_{3}}^0 \sin 1.01}{\mathit{zf}^{2}} > \frac{u \, {X_{3}}^0 \sin 0.34 + u \, {Y_{3}}^0 \cos 0.34}{u^{2}} \\ -1 & \text{otherwise} \end{cases} && \text{which way the loop closes: as drawn} \\
-{X_{3}}^0 &= \mathit{xa} - \mathit{rr} \cos \beta^0 + d \cos \varphi_{2}^0 \\
-{Y_{3}}^0 &= \mathit{ya} - \mathit{rr} \sin \beta^0 + d \sin \varphi_{2}^0 \\
+{X_{3}}^0 &= \mathit{xa} - \mathit{xb} - \mathit{ss} \cos \varphi_{3}^0 \\
+{Y_{3}}^0 &= \mathit{ya} - \mathit{yb} - \mathit{ss} \sin \varphi_{3}^0 \\
 \Delta x_{\mathrm{pull}}^{0} &= \mathit{xb} - \mathit{xc} + \mathit{sc} \cos \varphi_{3}^0 - \mathit{sd} \sin \varphi_{3}^0 \\
 \Delta y_{\mathrm{pull}}^{0} &= \mathit{yb} - \mathit{yc} + \mathit{sc} \sin \varphi_{3}^0 + \mathit{sd} \cos \varphi_{3}^0 \\
 L_{\mathrm{pull}}^{0} &= \sqrt{\left(\Delta x_{\mathrm{pull}}^{0}\right)^{2} + \left(\Delta y_{\mathrm{pull}}^{0}\right)^{2}} && \text{length of \texttt{pull} as assembled}

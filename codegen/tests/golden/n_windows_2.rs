@@ -485,8 +485,8 @@ Parallelogram upright0–bar1–upright1
   φ_bar1 = 0 (opposite sides are equal)
   φ_upright1 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright0–bar1–bar2–upright2
-─────────────────────────────────────────
+Parallelogram upright1–bar2–upright2
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar2) - l e^(i φ_upright2) - l = 0
   φ_bar2 = 0 (opposite sides are equal)
@@ -542,7 +542,7 @@ through the positions in which all lie in one line.
 & \varphi_{\mathrm{upright1}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright0–bar1–bar2–upright2}
+\subsection*{Parallelogram upright1–bar2–upright2}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar2}}} - l\, e^{i \varphi_{\mathrm{upright2}}} - l = 0 \\
 & \varphi_{\mathrm{bar2}} = 0 \quad\text{(opposite sides are equal)} \\

@@ -485,274 +485,274 @@ Parallelogram upright0–bar1–upright1
   φ_bar1 = 0 (opposite sides are equal)
   φ_upright1 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright0–bar1–bar2–upright2
-─────────────────────────────────────────
+Parallelogram upright1–bar2–upright2
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar2) - l e^(i φ_upright2) - l = 0
   φ_bar2 = 0 (opposite sides are equal)
   φ_upright2 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright1–bar2–bar3–upright3
-─────────────────────────────────────────
+Parallelogram upright2–bar3–upright3
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar3) - l e^(i φ_upright3) - l = 0
   φ_bar3 = 0 (opposite sides are equal)
   φ_upright3 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright2–bar3–bar4–upright4
-─────────────────────────────────────────
+Parallelogram upright3–bar4–upright4
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar4) - l e^(i φ_upright4) - l = 0
   φ_bar4 = 0 (opposite sides are equal)
   φ_upright4 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright3–bar4–bar5–upright5
-─────────────────────────────────────────
+Parallelogram upright4–bar5–upright5
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar5) - l e^(i φ_upright5) - l = 0
   φ_bar5 = 0 (opposite sides are equal)
   φ_upright5 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright4–bar5–bar6–upright6
-─────────────────────────────────────────
+Parallelogram upright5–bar6–upright6
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar6) - l e^(i φ_upright6) - l = 0
   φ_bar6 = 0 (opposite sides are equal)
   φ_upright6 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright5–bar6–bar7–upright7
-─────────────────────────────────────────
+Parallelogram upright6–bar7–upright7
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar7) - l e^(i φ_upright7) - l = 0
   φ_bar7 = 0 (opposite sides are equal)
   φ_upright7 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright6–bar7–bar8–upright8
-─────────────────────────────────────────
+Parallelogram upright7–bar8–upright8
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar8) - l e^(i φ_upright8) - l = 0
   φ_bar8 = 0 (opposite sides are equal)
   φ_upright8 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright7–bar8–bar9–upright9
-─────────────────────────────────────────
+Parallelogram upright8–bar9–upright9
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar9) - l e^(i φ_upright9) - l = 0
   φ_bar9 = 0 (opposite sides are equal)
   φ_upright9 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright8–bar9–bar10–upright10
-───────────────────────────────────────────
+Parallelogram upright9–bar10–upright10
+──────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar10) - l e^(i φ_upright10) - l = 0
   φ_bar10 = 0 (opposite sides are equal)
   φ_upright10 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright9–bar10–bar11–upright11
-────────────────────────────────────────────
+Parallelogram upright10–bar11–upright11
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar11) - l e^(i φ_upright11) - l = 0
   φ_bar11 = 0 (opposite sides are equal)
   φ_upright11 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright10–bar11–bar12–upright12
-─────────────────────────────────────────────
+Parallelogram upright11–bar12–upright12
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar12) - l e^(i φ_upright12) - l = 0
   φ_bar12 = 0 (opposite sides are equal)
   φ_upright12 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright11–bar12–bar13–upright13
-─────────────────────────────────────────────
+Parallelogram upright12–bar13–upright13
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar13) - l e^(i φ_upright13) - l = 0
   φ_bar13 = 0 (opposite sides are equal)
   φ_upright13 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright12–bar13–bar14–upright14
-─────────────────────────────────────────────
+Parallelogram upright13–bar14–upright14
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar14) - l e^(i φ_upright14) - l = 0
   φ_bar14 = 0 (opposite sides are equal)
   φ_upright14 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright13–bar14–bar15–upright15
-─────────────────────────────────────────────
+Parallelogram upright14–bar15–upright15
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar15) - l e^(i φ_upright15) - l = 0
   φ_bar15 = 0 (opposite sides are equal)
   φ_upright15 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright14–bar15–bar16–upright16
-─────────────────────────────────────────────
+Parallelogram upright15–bar16–upright16
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar16) - l e^(i φ_upright16) - l = 0
   φ_bar16 = 0 (opposite sides are equal)
   φ_upright16 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright15–bar16–bar17–upright17
-─────────────────────────────────────────────
+Parallelogram upright16–bar17–upright17
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar17) - l e^(i φ_upright17) - l = 0
   φ_bar17 = 0 (opposite sides are equal)
   φ_upright17 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright16–bar17–bar18–upright18
-─────────────────────────────────────────────
+Parallelogram upright17–bar18–upright18
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar18) - l e^(i φ_upright18) - l = 0
   φ_bar18 = 0 (opposite sides are equal)
   φ_upright18 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright17–bar18–bar19–upright19
-─────────────────────────────────────────────
+Parallelogram upright18–bar19–upright19
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar19) - l e^(i φ_upright19) - l = 0
   φ_bar19 = 0 (opposite sides are equal)
   φ_upright19 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright18–bar19–bar20–upright20
-─────────────────────────────────────────────
+Parallelogram upright19–bar20–upright20
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar20) - l e^(i φ_upright20) - l = 0
   φ_bar20 = 0 (opposite sides are equal)
   φ_upright20 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright19–bar20–bar21–upright21
-─────────────────────────────────────────────
+Parallelogram upright20–bar21–upright21
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar21) - l e^(i φ_upright21) - l = 0
   φ_bar21 = 0 (opposite sides are equal)
   φ_upright21 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright20–bar21–bar22–upright22
-─────────────────────────────────────────────
+Parallelogram upright21–bar22–upright22
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar22) - l e^(i φ_upright22) - l = 0
   φ_bar22 = 0 (opposite sides are equal)
   φ_upright22 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright21–bar22–bar23–upright23
-─────────────────────────────────────────────
+Parallelogram upright22–bar23–upright23
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar23) - l e^(i φ_upright23) - l = 0
   φ_bar23 = 0 (opposite sides are equal)
   φ_upright23 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright22–bar23–bar24–upright24
-─────────────────────────────────────────────
+Parallelogram upright23–bar24–upright24
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar24) - l e^(i φ_upright24) - l = 0
   φ_bar24 = 0 (opposite sides are equal)
   φ_upright24 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright23–bar24–bar25–upright25
-─────────────────────────────────────────────
+Parallelogram upright24–bar25–upright25
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar25) - l e^(i φ_upright25) - l = 0
   φ_bar25 = 0 (opposite sides are equal)
   φ_upright25 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright24–bar25–bar26–upright26
-─────────────────────────────────────────────
+Parallelogram upright25–bar26–upright26
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar26) - l e^(i φ_upright26) - l = 0
   φ_bar26 = 0 (opposite sides are equal)
   φ_upright26 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright25–bar26–bar27–upright27
-─────────────────────────────────────────────
+Parallelogram upright26–bar27–upright27
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar27) - l e^(i φ_upright27) - l = 0
   φ_bar27 = 0 (opposite sides are equal)
   φ_upright27 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright26–bar27–bar28–upright28
-─────────────────────────────────────────────
+Parallelogram upright27–bar28–upright28
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar28) - l e^(i φ_upright28) - l = 0
   φ_bar28 = 0 (opposite sides are equal)
   φ_upright28 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright27–bar28–bar29–upright29
-─────────────────────────────────────────────
+Parallelogram upright28–bar29–upright29
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar29) - l e^(i φ_upright29) - l = 0
   φ_bar29 = 0 (opposite sides are equal)
   φ_upright29 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright28–bar29–bar30–upright30
-─────────────────────────────────────────────
+Parallelogram upright29–bar30–upright30
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar30) - l e^(i φ_upright30) - l = 0
   φ_bar30 = 0 (opposite sides are equal)
   φ_upright30 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright29–bar30–bar31–upright31
-─────────────────────────────────────────────
+Parallelogram upright30–bar31–upright31
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar31) - l e^(i φ_upright31) - l = 0
   φ_bar31 = 0 (opposite sides are equal)
   φ_upright31 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright30–bar31–bar32–upright32
-─────────────────────────────────────────────
+Parallelogram upright31–bar32–upright32
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar32) - l e^(i φ_upright32) - l = 0
   φ_bar32 = 0 (opposite sides are equal)
   φ_upright32 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright31–bar32–bar33–upright33
-─────────────────────────────────────────────
+Parallelogram upright32–bar33–upright33
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar33) - l e^(i φ_upright33) - l = 0
   φ_bar33 = 0 (opposite sides are equal)
   φ_upright33 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright32–bar33–bar34–upright34
-─────────────────────────────────────────────
+Parallelogram upright33–bar34–upright34
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar34) - l e^(i φ_upright34) - l = 0
   φ_bar34 = 0 (opposite sides are equal)
   φ_upright34 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright33–bar34–bar35–upright35
-─────────────────────────────────────────────
+Parallelogram upright34–bar35–upright35
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar35) - l e^(i φ_upright35) - l = 0
   φ_bar35 = 0 (opposite sides are equal)
   φ_upright35 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright34–bar35–bar36–upright36
-─────────────────────────────────────────────
+Parallelogram upright35–bar36–upright36
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar36) - l e^(i φ_upright36) - l = 0
   φ_bar36 = 0 (opposite sides are equal)
   φ_upright36 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright35–bar36–bar37–upright37
-─────────────────────────────────────────────
+Parallelogram upright36–bar37–upright37
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar37) - l e^(i φ_upright37) - l = 0
   φ_bar37 = 0 (opposite sides are equal)
   φ_upright37 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright36–bar37–bar38–upright38
-─────────────────────────────────────────────
+Parallelogram upright37–bar38–upright38
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar38) - l e^(i φ_upright38) - l = 0
   φ_bar38 = 0 (opposite sides are equal)
   φ_upright38 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright37–bar38–bar39–upright39
-─────────────────────────────────────────────
+Parallelogram upright38–bar39–upright39
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar39) - l e^(i φ_upright39) - l = 0
   φ_bar39 = 0 (opposite sides are equal)
   φ_upright39 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright38–bar39–bar40–upright40
-─────────────────────────────────────────────
+Parallelogram upright39–bar40–upright40
+───────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar40) - l e^(i φ_upright40) - l = 0
   φ_bar40 = 0 (opposite sides are equal)
@@ -979,273 +979,273 @@ through the positions in which all lie in one line. Another N makes another chai
 & \varphi_{\mathrm{upright1}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright0–bar1–bar2–upright2}
+\subsection*{Parallelogram upright1–bar2–upright2}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar2}}} - l\, e^{i \varphi_{\mathrm{upright2}}} - l = 0 \\
 & \varphi_{\mathrm{bar2}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright2}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright1–bar2–bar3–upright3}
+\subsection*{Parallelogram upright2–bar3–upright3}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar3}}} - l\, e^{i \varphi_{\mathrm{upright3}}} - l = 0 \\
 & \varphi_{\mathrm{bar3}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright3}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright2–bar3–bar4–upright4}
+\subsection*{Parallelogram upright3–bar4–upright4}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar4}}} - l\, e^{i \varphi_{\mathrm{upright4}}} - l = 0 \\
 & \varphi_{\mathrm{bar4}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright4}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright3–bar4–bar5–upright5}
+\subsection*{Parallelogram upright4–bar5–upright5}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar5}}} - l\, e^{i \varphi_{\mathrm{upright5}}} - l = 0 \\
 & \varphi_{\mathrm{bar5}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright5}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright4–bar5–bar6–upright6}
+\subsection*{Parallelogram upright5–bar6–upright6}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar6}}} - l\, e^{i \varphi_{\mathrm{upright6}}} - l = 0 \\
 & \varphi_{\mathrm{bar6}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright6}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright5–bar6–bar7–upright7}
+\subsection*{Parallelogram upright6–bar7–upright7}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar7}}} - l\, e^{i \varphi_{\mathrm{upright7}}} - l = 0 \\
 & \varphi_{\mathrm{bar7}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright7}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright6–bar7–bar8–upright8}
+\subsection*{Parallelogram upright7–bar8–upright8}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar8}}} - l\, e^{i \varphi_{\mathrm{upright8}}} - l = 0 \\
 & \varphi_{\mathrm{bar8}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright8}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright7–bar8–bar9–upright9}
+\subsection*{Parallelogram upright8–bar9–upright9}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar9}}} - l\, e^{i \varphi_{\mathrm{upright9}}} - l = 0 \\
 & \varphi_{\mathrm{bar9}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright9}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright8–bar9–bar10–upright10}
+\subsection*{Parallelogram upright9–bar10–upright10}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar10}}} - l\, e^{i \varphi_{\mathrm{upright10}}} - l = 0 \\
 & \varphi_{\mathrm{bar10}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright10}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright9–bar10–bar11–upright11}
+\subsection*{Parallelogram upright10–bar11–upright11}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar11}}} - l\, e^{i \varphi_{\mathrm{upright11}}} - l = 0 \\
 & \varphi_{\mathrm{bar11}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright11}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright10–bar11–bar12–upright12}
+\subsection*{Parallelogram upright11–bar12–upright12}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar12}}} - l\, e^{i \varphi_{\mathrm{upright12}}} - l = 0 \\
 & \varphi_{\mathrm{bar12}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright12}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright11–bar12–bar13–upright13}
+\subsection*{Parallelogram upright12–bar13–upright13}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar13}}} - l\, e^{i \varphi_{\mathrm{upright13}}} - l = 0 \\
 & \varphi_{\mathrm{bar13}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright13}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright12–bar13–bar14–upright14}
+\subsection*{Parallelogram upright13–bar14–upright14}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar14}}} - l\, e^{i \varphi_{\mathrm{upright14}}} - l = 0 \\
 & \varphi_{\mathrm{bar14}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright14}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright13–bar14–bar15–upright15}
+\subsection*{Parallelogram upright14–bar15–upright15}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar15}}} - l\, e^{i \varphi_{\mathrm{upright15}}} - l = 0 \\
 & \varphi_{\mathrm{bar15}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright15}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright14–bar15–bar16–upright16}
+\subsection*{Parallelogram upright15–bar16–upright16}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar16}}} - l\, e^{i \varphi_{\mathrm{upright16}}} - l = 0 \\
 & \varphi_{\mathrm{bar16}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright16}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright15–bar16–bar17–upright17}
+\subsection*{Parallelogram upright16–bar17–upright17}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar17}}} - l\, e^{i \varphi_{\mathrm{upright17}}} - l = 0 \\
 & \varphi_{\mathrm{bar17}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright17}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright16–bar17–bar18–upright18}
+\subsection*{Parallelogram upright17–bar18–upright18}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar18}}} - l\, e^{i \varphi_{\mathrm{upright18}}} - l = 0 \\
 & \varphi_{\mathrm{bar18}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright18}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright17–bar18–bar19–upright19}
+\subsection*{Parallelogram upright18–bar19–upright19}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar19}}} - l\, e^{i \varphi_{\mathrm{upright19}}} - l = 0 \\
 & \varphi_{\mathrm{bar19}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright19}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright18–bar19–bar20–upright20}
+\subsection*{Parallelogram upright19–bar20–upright20}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar20}}} - l\, e^{i \varphi_{\mathrm{upright20}}} - l = 0 \\
 & \varphi_{\mathrm{bar20}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright20}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright19–bar20–bar21–upright21}
+\subsection*{Parallelogram upright20–bar21–upright21}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar21}}} - l\, e^{i \varphi_{\mathrm{upright21}}} - l = 0 \\
 & \varphi_{\mathrm{bar21}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright21}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright20–bar21–bar22–upright22}
+\subsection*{Parallelogram upright21–bar22–upright22}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar22}}} - l\, e^{i \varphi_{\mathrm{upright22}}} - l = 0 \\
 & \varphi_{\mathrm{bar22}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright22}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright21–bar22–bar23–upright23}
+\subsection*{Parallelogram upright22–bar23–upright23}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar23}}} - l\, e^{i \varphi_{\mathrm{upright23}}} - l = 0 \\
 & \varphi_{\mathrm{bar23}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright23}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright22–bar23–bar24–upright24}
+\subsection*{Parallelogram upright23–bar24–upright24}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar24}}} - l\, e^{i \varphi_{\mathrm{upright24}}} - l = 0 \\
 & \varphi_{\mathrm{bar24}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright24}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright23–bar24–bar25–upright25}
+\subsection*{Parallelogram upright24–bar25–upright25}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar25}}} - l\, e^{i \varphi_{\mathrm{upright25}}} - l = 0 \\
 & \varphi_{\mathrm{bar25}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright25}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright24–bar25–bar26–upright26}
+\subsection*{Parallelogram upright25–bar26–upright26}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar26}}} - l\, e^{i \varphi_{\mathrm{upright26}}} - l = 0 \\
 & \varphi_{\mathrm{bar26}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright26}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright25–bar26–bar27–upright27}
+\subsection*{Parallelogram upright26–bar27–upright27}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar27}}} - l\, e^{i \varphi_{\mathrm{upright27}}} - l = 0 \\
 & \varphi_{\mathrm{bar27}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright27}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright26–bar27–bar28–upright28}
+\subsection*{Parallelogram upright27–bar28–upright28}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar28}}} - l\, e^{i \varphi_{\mathrm{upright28}}} - l = 0 \\
 & \varphi_{\mathrm{bar28}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright28}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright27–bar28–bar29–upright29}
+\subsection*{Parallelogram upright28–bar29–upright29}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar29}}} - l\, e^{i \varphi_{\mathrm{upright29}}} - l = 0 \\
 & \varphi_{\mathrm{bar29}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright29}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright28–bar29–bar30–upright30}
+\subsection*{Parallelogram upright29–bar30–upright30}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar30}}} - l\, e^{i \varphi_{\mathrm{upright30}}} - l = 0 \\
 & \varphi_{\mathrm{bar30}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright30}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright29–bar30–bar31–upright31}
+\subsection*{Parallelogram upright30–bar31–upright31}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar31}}} - l\, e^{i \varphi_{\mathrm{upright31}}} - l = 0 \\
 & \varphi_{\mathrm{bar31}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright31}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright30–bar31–bar32–upright32}
+\subsection*{Parallelogram upright31–bar32–upright32}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar32}}} - l\, e^{i \varphi_{\mathrm{upright32}}} - l = 0 \\
 & \varphi_{\mathrm{bar32}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright32}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright31–bar32–bar33–upright33}
+\subsection*{Parallelogram upright32–bar33–upright33}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar33}}} - l\, e^{i \varphi_{\mathrm{upright33}}} - l = 0 \\
 & \varphi_{\mathrm{bar33}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright33}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright32–bar33–bar34–upright34}
+\subsection*{Parallelogram upright33–bar34–upright34}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar34}}} - l\, e^{i \varphi_{\mathrm{upright34}}} - l = 0 \\
 & \varphi_{\mathrm{bar34}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright34}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright33–bar34–bar35–upright35}
+\subsection*{Parallelogram upright34–bar35–upright35}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar35}}} - l\, e^{i \varphi_{\mathrm{upright35}}} - l = 0 \\
 & \varphi_{\mathrm{bar35}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright35}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright34–bar35–bar36–upright36}
+\subsection*{Parallelogram upright35–bar36–upright36}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar36}}} - l\, e^{i \varphi_{\mathrm{upright36}}} - l = 0 \\
 & \varphi_{\mathrm{bar36}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright36}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright35–bar36–bar37–upright37}
+\subsection*{Parallelogram upright36–bar37–upright37}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar37}}} - l\, e^{i \varphi_{\mathrm{upright37}}} - l = 0 \\
 & \varphi_{\mathrm{bar37}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright37}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright36–bar37–bar38–upright38}
+\subsection*{Parallelogram upright37–bar38–upright38}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar38}}} - l\, e^{i \varphi_{\mathrm{upright38}}} - l = 0 \\
 & \varphi_{\mathrm{bar38}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright38}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright37–bar38–bar39–upright39}
+\subsection*{Parallelogram upright38–bar39–upright39}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar39}}} - l\, e^{i \varphi_{\mathrm{upright39}}} - l = 0 \\
 & \varphi_{\mathrm{bar39}} = 0 \quad\text{(opposite sides are equal)} \\
 & \varphi_{\mathrm{upright39}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright38–bar39–bar40–upright40}
+\subsection*{Parallelogram upright39–bar40–upright40}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar40}}} - l\, e^{i \varphi_{\mathrm{upright40}}} - l = 0 \\
 & \varphi_{\mathrm{bar40}} = 0 \quad\text{(opposite sides are equal)} \\

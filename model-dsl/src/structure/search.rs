@@ -237,9 +237,7 @@ impl<'m> Search<'m> {
         let mut queue: VecDeque<Front> = VecDeque::new();
         for &index in &self.scope.1 {
             let pin = &self.model.pins[index];
-            // From each pin the way starts on one placed body: they all stand in the same place.
-            let Some(a) = (0..pin.members.len()).find(|m| self.placed[pin.members[*m].0].is_some())
-            else {
+            let Some(a) = self.nearest_placed(index) else {
                 continue;
             };
             for (b, (body, enter)) in pin.members.iter().enumerate() {
@@ -289,6 +287,20 @@ impl<'m> Search<'m> {
         None
     }
 
+    /// The placed body on a pin where ways start and end, as all of them stand in the same place:
+    /// that nearest to ground, so that loops have few bodies, but a link before a slide, because a
+    /// loop of links alone may be a parallelogram.
+    fn nearest_placed(&self, pin: usize) -> Option<usize> {
+        let members = &self.model.pins[pin].members;
+        (0..members.len())
+            .filter(|member| self.placed[members[*member].0].is_some())
+            .min_by_key(|member| {
+                let body = members[*member].0;
+                let is_slide = matches!(self.model.bodies[body].kind, BodyKind::Slide(_));
+                (is_slide, self.depth[body])
+            })
+    }
+
     /// Every way that goes one joint further.
     fn onward(&self, front: &Front, limit: usize) -> Vec<Front> {
         let mut found = Vec::new();
@@ -301,16 +313,15 @@ impl<'m> Search<'m> {
                 continue;
             }
             let leave = pin.members[a].1;
-            let mut arrived = false;
+            let arrival = self.nearest_placed(index);
             for (b, (body, enter)) in pin.members.iter().enumerate() {
-                let is_placed = self.placed[*body].is_some();
-                if b == a || front.visited.contains(body) || (is_placed && arrived) {
+                let is_passed = self.placed[*body].is_some() && arrival != Some(b);
+                if b == a || front.visited.contains(body) || is_passed {
                     continue;
                 }
                 let Some(mut next) = self.across(front, leave, limit) else {
                     continue;
                 };
-                arrived |= is_placed;
                 next.ties.push((index, a, b));
                 next.body = *body;
                 next.enter = *enter;
