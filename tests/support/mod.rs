@@ -14,6 +14,7 @@ pub mod grown;
 pub mod multipliers;
 pub mod oracle;
 pub mod random;
+pub mod windows;
 
 use flexure_model_dsl::model::{BodyId, BodyKind, Model};
 use flexure_model_dsl::source::Source;
