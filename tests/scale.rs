@@ -17,7 +17,7 @@ use support::windows::{Lengths, windows};
 struct Cost {
     /// Operations of one evaluation of the right-hand side.
     operations: usize,
-    /// Instructions of the tape's right-hand side and of everything else that it runs.
+    /// Lines of the whole tape, an instruction each.
     tape: usize,
     /// Lines of the emitted Rust.
     lines: usize,

@@ -360,38 +360,37 @@ pub mod andrews {
             let u_squared = u_2 * u_2;
             let zf_squared_u_squared = zf_squared * u_squared;
             let t9 = t8 * 0.25 / zf_squared_u_squared;
-            let rr_squared = rr * rr;
             // constant of the inertia
-            let C0 = I1 + m1 * (ra * ra) + rr_squared * m2;
+            let C0 = I1 + m1 * (ra * ra) + rr * rr * m2;
             // constant of the inertia
             let C1 = I2 + m2 * (da * da);
-            let sin_beta0_minus_φ3_0 = (beta0 - φ3_0).sin();
             let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
             let c2_0 = -((X1_0_κ1_0 - Y1_0_η1_0) / d_2);
             // angle of `coupler` as assembled
             let φ2_0 = s2_0.atan2(c2_0).unwrap_to(-0.06);
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
-            let t11 = rr_squared * C1 * (sin_beta0_minus_φ3_0 * sin_beta0_minus_φ3_0)
-                / (d_squared * t10);
+            // rate as assembled
+            let ω2_0 = rr * (beta0 - φ3_0).sin() / (d_2 * sin_φ2_0_minus_φ3_0);
             // constant of the inertia
             let C2 = I3 + m3 * (sa * sa) + m3 * (sb * sb) + ss_squared * m4
                 + ss_squared * m6;
             let beta0_minus_φ2_0 = beta0 - φ2_0;
             let (sin_beta0_minus_φ2_0, cos_beta0_minus_φ2_0) = beta0_minus_φ2_0
                 .sin_cos();
-            let t12 = sin_beta0_minus_φ2_0 * sin_beta0_minus_φ2_0;
+            // rate as assembled
+            let ω3_0 = -(rr * sin_beta0_minus_φ2_0 / (ss * sin_φ2_0_minus_φ3_0));
             // constant of the inertia
             let C3 = I4 + m4 * (ea * ea);
-            let t13 = e_squared - zt_squared;
-            let κ2_0 = (t13 + D2_0) * 0.5 / D2_0;
+            let ss_ω3_0 = ss * ω3_0;
+            let t10 = e_squared - zt_squared;
+            let κ2_0 = (t10 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ2_0 = Y2_0 * κ2_0;
-            let t14 = (e * X2_0 * 0.757842562895277 + e * Y2_0 * 0.6524374681640519)
+            let t11 = (e * X2_0 * 0.757842562895277 + e * Y2_0 * 0.6524374681640519)
                 / e_squared;
-            let t15 = (zt * X2_0 * 0.470625888171158 - zt * Y2_0 * 0.8823328586101215)
+            let t12 = (zt * X2_0 * 0.470625888171158 - zt * Y2_0 * 0.8823328586101215)
                 / zt_squared;
             // which way the loop closes: as drawn
-            let s2_2 = (t14 + t15).if_positive(1.0, -1.0);
+            let s2_2 = (t11 + t12).if_positive(1.0, -1.0);
             let η2_0 = s2_2 * (-t6).sqrt() * 0.5 / D2_0;
             let X2_0_η2_0 = X2_0 * η2_0;
             let s_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / zt;
@@ -400,35 +399,32 @@ pub mod andrews {
             let c_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / zt);
             // angle of `upper_arm` as assembled
             let δ_0 = s_0.atan2(c_0).unwrap_to(0.49);
-            let sin_φ3_0_minus_δ_0 = (φ3_0 - δ_0).sin();
             let s4_0 = -((Y2_0_κ2_0 + X2_0_η2_0) / e);
             let c4_0 = -((X2_0_κ2_0 - Y2_0_η2_0) / e);
             // angle of `upper` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(-0.86);
             let sin_φ4_0_minus_δ_0 = (φ4_0 - δ_0).sin();
-            let t16 = sin_φ4_0_minus_δ_0 * sin_φ4_0_minus_δ_0;
-            let t17 = rr_squared * C3 * t12
-                * (sin_φ3_0_minus_δ_0 * sin_φ3_0_minus_δ_0)
-                / (e_squared * t10 * t16);
+            // rate as assembled
+            let ω4_0 = ss_ω3_0 * (φ3_0 - δ_0).sin() / (e * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C4 = I5 + m5 * (ta * ta) + m5 * (tb * tb);
             let φ3_0_minus_φ4_0 = φ3_0 - φ4_0;
             let (sin_φ3_0_minus_φ4_0, cos_φ3_0_minus_φ4_0) = φ3_0_minus_φ4_0
                 .sin_cos();
-            let t18 = rr_squared * C4 * t12
-                * (sin_φ3_0_minus_φ4_0 * sin_φ3_0_minus_φ4_0);
-            let t19 = C0 + t11 + rr_squared * C2 * t12 / (ss_squared * t10) + t17
-                + t18 / (zt_squared * t10 * t16);
+            // rate as assembled
+            let ω_0 = -(ss_ω3_0 * sin_φ3_0_minus_φ4_0 / (zt * sin_φ4_0_minus_δ_0));
+            let t13 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
+                + C3 * (ω4_0 * ω4_0) + C4 * (ω_0 * ω_0);
             // constant of the inertia
             let C5 = I6 + m6 * (fa * fa);
-            let t20 = zf_squared - u_squared;
-            let κ3_0 = (t20 + D2_0) * 0.5 / D2_0;
+            let t14 = zf_squared - u_squared;
+            let κ3_0 = (t14 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ3_0 = Y2_0 * κ3_0;
-            let t21 = u_2 * X2_0 * 0.3334870921408144 + u_2 * Y2_0 * 0.9427546655283462;
-            let t22 = (zf * X2_0 * 0.8468318446180152 - zf * Y2_0 * 0.5318607213743555)
+            let t15 = u_2 * X2_0 * 0.3334870921408144 + u_2 * Y2_0 * 0.9427546655283462;
+            let t16 = (zf * X2_0 * 0.8468318446180152 - zf * Y2_0 * 0.5318607213743555)
                 / zf_squared;
             // which way the loop closes: as drawn
-            let s3_2 = (-(t21 / u_squared + t22)).if_positive(1.0, -1.0);
+            let s3_2 = (-(t15 / u_squared + t16)).if_positive(1.0, -1.0);
             let η3_0 = s3_2 * (-t8).sqrt() * 0.5 / D2_0;
             let X2_0_η3_0 = X2_0 * η3_0;
             let s7_0 = (Y2_0_κ3_0 - Y2_0 + X2_0_η3_0) / u_2;
@@ -437,38 +433,32 @@ pub mod andrews {
             let c7_0 = -((X2_0 - X2_0_κ3_0 + Y2_0_η3_0) / u_2);
             // angle of `lower_arm` as assembled
             let φ7_0 = s7_0.atan2(c7_0).unwrap_to(-0.34);
-            let sin_φ3_0_minus_φ7_0 = (φ3_0 - φ7_0).sin();
-            let t23 = rr_squared * C5 * t12
-                * (sin_φ3_0_minus_φ7_0 * sin_φ3_0_minus_φ7_0);
             let s6_0 = -((Y2_0_κ3_0 + X2_0_η3_0) / zf);
             let c6_0 = -((X2_0_κ3_0 - Y2_0_η3_0) / zf);
             // angle of `lower` as assembled
             let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.01);
             let sin_φ6_0_minus_φ7_0 = (φ6_0 - φ7_0).sin();
-            let t24 = sin_φ6_0_minus_φ7_0 * sin_φ6_0_minus_φ7_0;
+            // rate as assembled
+            let ω6_0 = ss_ω3_0 * (φ3_0 - φ7_0).sin() / (zf * sin_φ6_0_minus_φ7_0);
             // constant of the inertia
             let C6 = I7 + m7 * (ua * ua) + m7 * (ub * ub);
             let φ3_0_minus_φ6_0 = φ3_0 - φ6_0;
             let (sin_φ3_0_minus_φ6_0, cos_φ3_0_minus_φ6_0) = φ3_0_minus_φ6_0
                 .sin_cos();
-            let t25 = rr_squared * C6 * t12
-                * (sin_φ3_0_minus_φ6_0 * sin_φ3_0_minus_φ6_0);
+            // rate as assembled
+            let ω7_0 = -(ss_ω3_0 * sin_φ3_0_minus_φ6_0
+                / (u_2 * sin_φ6_0_minus_φ7_0));
             // constant of the inertia
             let C7 = -(rr * m2 * da * 2.0);
-            let t26 = rr * C7 * sin_beta0_minus_φ3_0 * cos_beta0_minus_φ2_0
-                / (d_2 * sin_φ2_0_minus_φ3_0);
-            let t27 = t19 + t23 / (zf_squared * t10 * t24)
-                + t25 / (u_squared * t10 * t24) + t26;
+            let t17 = t13 + C5 * (ω6_0 * ω6_0) + C6 * (ω7_0 * ω7_0)
+                + C7 * ω2_0 * cos_beta0_minus_φ2_0;
             // constant of the inertia
             let C8 = -(ss * m4 * ea * 2.0);
-            let t28 = rr_squared * C8 * t12 * sin_φ3_0_minus_δ_0
-                * cos_φ3_0_minus_φ4_0 / (ss * e * t10 * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C9 = -(ss * m6 * fa * 2.0);
-            let t29 = rr_squared * C9 * t12 * sin_φ3_0_minus_φ7_0
-                * cos_φ3_0_minus_φ6_0;
             // inertia as assembled
-            let A_crank_0 = t27 + t28 + t29 / (ss * zf * t10 * sin_φ6_0_minus_φ7_0);
+            let A_crank_0 = t17 + C8 * ω3_0 * ω4_0 * cos_φ3_0_minus_φ4_0
+                + C9 * ω3_0 * ω6_0 * cos_φ3_0_minus_φ6_0;
             let Δx_pull_0 = xb - xc + sc * cos_φ3_0 - sd * sin_φ3_0;
             let Δy_pull_0 = yb - yc + sc * sin_φ3_0 + sd * cos_φ3_0;
             // length of `pull` as assembled
@@ -652,7 +642,7 @@ pub mod andrews {
                 C2,
                 ya_minus_yb,
                 xa_minus_xb,
-                constant2: t13,
+                constant2: t10,
                 e_minus_zt_squared,
                 e_plus_zt_squared,
                 s3_0,
@@ -665,7 +655,7 @@ pub mod andrews {
                 C3,
                 ss_per_zt: ss / zt,
                 C4,
-                constant3: t20,
+                constant3: t14,
                 zf_minus_u_squared,
                 zf_plus_u_squared,
                 half_s3_2: s3_2 * 0.5,

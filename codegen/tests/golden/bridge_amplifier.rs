@@ -148,17 +148,18 @@ pub mod bridge_amplifier {
             // angle of `upper_left` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t3);
             let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
-            let sin_φ3_0_squared = sin_φ3_0 * sin_φ3_0;
+            // rate as assembled
+            let ω3_0 = sin_φ1_0 / sin_φ3_0;
             let φ1_0_minus_φ3_0 = φ1_0 - φ3_0;
             let (sin_φ1_0_minus_φ3_0, cos_φ1_0_minus_φ3_0) = φ1_0_minus_φ3_0
                 .sin_cos();
-            let t4 = l_squared * mo * (sin_φ1_0_minus_φ3_0 * sin_φ1_0_minus_φ3_0)
-                / sin_φ3_0_squared;
+            // rate as assembled
+            let ν_table_0 = -(l * sin_φ1_0_minus_φ3_0 / sin_φ3_0);
             // constant of the inertia
             let C2 = -(l * ma * (l - r1) * 4.0);
             // inertia as assembled
-            let A_lower_left_0 = C0 + sin_φ1_0 * sin_φ1_0 * C1 / sin_φ3_0_squared + t4
-                + sin_φ1_0 * C2 * cos_φ1_0_minus_φ3_0 / sin_φ3_0;
+            let A_lower_left_0 = C0 + C1 * (ω3_0 * ω3_0)
+                + mo * (ν_table_0 * ν_table_0) + C2 * ω3_0 * cos_φ1_0_minus_φ3_0;
             let Δx_piezo_0 = -(l_cos_φ1_0 + l * cos_φ3_0);
             let Δy_piezo_0 = -(P1_0 + l * sin_φ3_0);
             // length of `piezo` as assembled

@@ -126,9 +126,8 @@ pub mod five_bar {
             let t2 = t1 * 0.25 / l2_squared_squared;
             // distance of the centre of mass from the first end of left_crank
             let r1 = l1 * 0.5;
-            let l1_squared_m2 = l1_squared * m2;
             // constant of the inertia
-            let C1 = I1 + m1 * (r1 * r1) + l1_squared_m2;
+            let C1 = I1 + m1 * (r1 * r1) + l1_squared * m2;
             // constant of the inertia
             let C0 = C1 + l1_squared * mt;
             // distance of the centre of mass from the first end of left_coupler
@@ -137,7 +136,6 @@ pub mod five_bar {
             let C3 = I3 + m2 * (r3 * r3);
             // constant of the inertia
             let C2 = C3 + l2_squared * mt;
-            let l1_squared_C2 = l1_squared * C2;
             let half_Y_0 = Y_0 * 0.5;
             let l2_X_0 = l2 * X_0;
             let t3 = l2 * Y_0 * 0.9063077870366499;
@@ -153,33 +151,38 @@ pub mod five_bar {
             let c4_0 = -((X_0 - half_X_0 + Y_0_η_0) / l2);
             // angle of `right_coupler` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(2.705260340591211);
-            let t5 = (2.0943951023931953 - φ4_0).sin();
             let s3_0 = (half_Y_0 + X_0_η_0) / l2;
             let c3_0 = (half_X_0 - Y_0_η_0) / l2;
             // angle of `left_coupler` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(0.4363323129985824);
-            let sin_φ3_0_minus_φ4_0 = (φ3_0 - φ4_0).sin();
-            let t6 = l2_squared * (sin_φ3_0_minus_φ4_0 * sin_φ3_0_minus_φ4_0);
-            let l1_squared_C3 = l1_squared * C3;
-            let t7 = 2.0943951023931953 - φ3_0;
-            let (t8, t9) = t7.sin_cos();
+            let l2_sin_φ3_0_minus_φ4_0 = l2 * (φ3_0 - φ4_0).sin();
+            // rate as assembled
+            let ω3_left_crank_0 = -(l1 * (2.0943951023931953 - φ4_0).sin()
+                / l2_sin_φ3_0_minus_φ4_0);
+            let t5 = 2.0943951023931953 - φ3_0;
+            let (t6, t7) = t5.sin_cos();
+            // rate as assembled
+            let ω4_left_crank_0 = -(l1 * t6 / l2_sin_φ3_0_minus_φ4_0);
+            let t8 = C0 + C2 * (ω3_left_crank_0 * ω3_left_crank_0)
+                + C3 * (ω4_left_crank_0 * ω4_left_crank_0);
+            let l1_m2_r3 = l1 * m2 * r3;
             // constant of the inertia
-            let C5 = l1 * m2 * r3 * 2.0;
+            let C5 = l1_m2_r3 * 2.0;
             // constant of the inertia
             let C4 = C5 + l1 * l2 * mt * 2.0;
-            let l2_sin_φ3_0_minus_φ4_0 = l2 * sin_φ3_0_minus_φ4_0;
             // inertia as assembled
-            let A_left_crank_0 = C0 + l1_squared_C2 * (t5 * t5) / t6
-                + l1_squared_C3 * (t8 * t8) / t6
-                - l1 * C4 * t5 * t9 / l2_sin_φ3_0_minus_φ4_0;
-            let t10 = 1.0471975511965976 - φ4_0;
-            let (t11, t12) = t10.sin_cos();
-            let t13 = (1.0471975511965976 - φ3_0).sin();
-            let t14 = C1 + l1_squared_C2 * (t11 * t11) / t6
-                + l1_squared_C3 * (t13 * t13) / t6;
+            let A_left_crank_0 = t8 + C4 * ω3_left_crank_0 * t7;
+            let t9 = 1.0471975511965976 - φ4_0;
+            let (t10, t11) = t9.sin_cos();
+            // rate as assembled
+            let ω3_right_crank_0 = l1 * t10 / l2_sin_φ3_0_minus_φ4_0;
+            // rate as assembled
+            let ω4_right_crank_0 = l1 * (1.0471975511965976 - φ3_0).sin()
+                / l2_sin_φ3_0_minus_φ4_0;
+            let t12 = C1 + C2 * (ω3_right_crank_0 * ω3_right_crank_0)
+                + C3 * (ω4_right_crank_0 * ω4_right_crank_0);
             // inertia as assembled
-            let A_right_crank_0 = t14
-                + l1_squared_m2 * r3 * t13 * t12 * 2.0 / l2_sin_φ3_0_minus_φ4_0;
+            let A_right_crank_0 = t12 + l1_m2_r3 * ω4_right_crank_0 * t11 * 2.0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
             }
