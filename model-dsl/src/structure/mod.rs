@@ -13,11 +13,13 @@
 //! two equations for each loop, because a place is a sum of turned vectors. The steps are taken in
 //! the order above until every body is placed, so each loop has the fewest bodies that can close it.
 
+mod held;
 mod search;
 
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
+pub(crate) use held::held_parallel;
 use search::Search;
 
 /// Links and slides that a model may have: equations of more would be longer than anyone reads,
@@ -266,6 +268,7 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
         search.learn(body);
     }
     let mut coordinates = asked.clone();
+    let mut held: Option<Vec<bool>> = None;
     for component in &components {
         let mut left = component.freedom.max(1);
         left -= asked
@@ -285,7 +288,8 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             let next = if component.loops == 0 {
                 search.first_unknown(&component.bodies)
             } else {
-                search.best_coordinate(&component.bodies, left - 1)
+                let held = held.get_or_insert_with(|| held_parallel(model));
+                search.best_coordinate(&component.bodies, held, left - 1)
             };
             let Some(next) = next else {
                 break;

@@ -442,19 +442,25 @@ impl<'m> Search<'m> {
     }
 
     /// The coordinate among `bodies` after which everything closes in closed form, the first in
-    /// the file; else simply the first. `more` further coordinates may be chosen after it.
-    pub(super) fn best_coordinate(&self, bodies: &[BodyId], more: i64) -> Option<BodyId> {
-        let candidates: Vec<BodyId> = bodies
+    /// the file; else simply the first. `more` further coordinates may be chosen after it. Links
+    /// that cannot turn come last.
+    pub(super) fn best_coordinate(
+        &self,
+        bodies: &[BodyId],
+        held: &[bool],
+        more: i64,
+    ) -> Option<BodyId> {
+        let (last, mut candidates): (Vec<BodyId>, Vec<BodyId>) = bodies
             .iter()
-            .copied()
-            .filter(|body| !self.known[*body])
-            .collect();
+            .filter(|body| !self.known[**body])
+            .partition(|body| held[**body]);
+        candidates.extend(last);
         let closes = |candidate: &&BodyId| {
             let mut trial = self.clone();
             trial.learn(**candidate);
             trial.proceed();
             for _ in 0..more.max(0) {
-                let next = bodies.iter().find(|body| !trial.known[**body]).copied();
+                let next = candidates.iter().find(|body| !trial.known[**body]).copied();
                 let Some(next) = next else { break };
                 trial.learn(next);
                 trial.proceed();
