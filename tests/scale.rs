@@ -68,15 +68,11 @@ fn compare(lengths: Lengths) {
         } = cost;
         println!("{count:7}  {operations:10}  {tape:6}  {lines:13}");
     }
-    let measures: [(&str, fn(&Cost) -> usize); 3] = [
-        ("operations", |cost| cost.operations),
-        ("lines of the tape", |cost| cost.tape),
-        ("lines of Rust", |cost| cost.lines),
-    ];
-    let [.., ten, twenty, forty] = costs;
-    for (what, of) in measures {
-        let first = (of(&twenty) - of(&ten)) as f64 / 10.0;
-        let second = (of(&forty) - of(&twenty)) as f64 / 20.0;
+    let [.., ten, twenty, forty] = costs.map(|cost| [cost.operations, cost.tape, cost.lines]);
+    let names = ["operations", "lines of the tape", "lines of Rust"];
+    for (index, what) in names.into_iter().enumerate() {
+        let first = (twenty[index] - ten[index]) as f64 / 10.0;
+        let second = (forty[index] - twenty[index]) as f64 / 20.0;
         println!("{what} for each window from 10 to 20: {first}, from 20 to 40: {second}");
         assert!(
             second <= 1.1 * first,
