@@ -26,7 +26,7 @@ struct Trial {
     smooth: bool,
 }
 
-const TRIALS: [Trial; 16] = [
+const TRIALS: [Trial; 17] = [
     Trial {
         name: "andrews",
         until: 0.02,
