@@ -26,7 +26,7 @@ struct Trial {
     smooth: bool,
 }
 
-const TRIALS: [Trial; 17] = [
+const TRIALS: [Trial; 18] = [
     Trial {
         name: "andrews",
         until: 0.02,
@@ -92,6 +92,13 @@ const TRIALS: [Trial; 17] = [
     },
     Trial {
         name: "n_windows_2",
+        until: 1.0,
+        step: 5e-3,
+        halvings: 3,
+        smooth: true,
+    },
+    Trial {
+        name: "n_windows_40",
         until: 1.0,
         step: 5e-3,
         halvings: 3,

@@ -14,6 +14,7 @@ use support::four_bars::Layout;
 use support::grown::{Grown, grown};
 use support::random::Random;
 use support::twin::{Tally, Twin, compare, random_state};
+use support::windows::{Lengths, windows};
 use support::{Compiled, MECHANISMS, compile, mechanism, shipped, try_compile};
 
 /// The article's actuator: as printed, with the contact far out on the coupler, and with a linkage
@@ -179,6 +180,21 @@ fn linkages_and_stages() {
         println!("{name}: {tally:?}, {unassembled} unassembled");
         assert!(tally.states >= 4 * SETS_EACH, "{name}: {tally:?}");
         assert!(tally.rejected * 5 <= tally.states, "{name}: {tally:?}");
+    }
+}
+
+/// Chains of four-bars in which each loop follows from the one before, up to six of them.
+#[test]
+fn chains_of_windows() {
+    for lengths in [Lengths::Equal, Lengths::Unequal] {
+        for count in [1, 3, 6] {
+            let compiled = compile("windows.flex", &windows(count, lengths));
+            let tally = compare(&compiled, &[], &[], 20, 0.5, count as u64)
+                .unwrap_or_else(|error| panic!("{count} windows, {lengths:?}: {error}"));
+            println!("{count} windows, {lengths:?} lengths: {tally:?}");
+            assert_eq!((tally.states, tally.unreachable), (20, 0), "{tally:?}");
+            assert!(tally.rejected <= 4, "{tally:?}");
+        }
     }
 }
 

@@ -4,6 +4,8 @@
 //! definitions ──▶ derivatives ──▶ sines from geometry ──▶ values (shared, staged) ──▶ functions
 //! ```
 
+use std::collections::HashSet;
+
 use flexure_model_dsl::equations::{self, Definition, Equations, ShownUnit};
 use flexure_model_dsl::symbolic::{Expr, Graph, Symbol};
 use flexure_runtime::failure::{Failure, Unit};
@@ -139,13 +141,18 @@ impl<'e> Builder<'e> {
         let equations = self.equations;
         let mut lower = |expr: Expr| lowering.value(&mut program.values, &mut program.names, expr);
         let mut all = |exprs: &[Expr]| exprs.iter().map(|e| lower(*e)).collect::<Vec<Value>>();
+        let mut asked = HashSet::new();
         for check in &equations.checks {
             let message = message(&check.failure, &mut all);
-            program.checks.push(Check {
-                margin: all(&[check.margin])[0],
-                zero_is_well: check.zero_is_well,
-                message,
-            });
+            let margin = all(&[check.margin])[0];
+            // What was asked of one body need not be asked of others that share its params.
+            if asked.insert((margin, check.zero_is_well)) {
+                program.checks.push(Check {
+                    margin,
+                    zero_is_well: check.zero_is_well,
+                    message,
+                });
+            }
         }
         let mut jacobians = self.symbolic.solve_jacobians.iter();
         for definition in &equations.definitions {

@@ -219,16 +219,7 @@ impl<'c, 'g> Lowering<'c, 'g> {
             let size = values.constant(to_f64(&constant.abs()));
             parts.push((size, constant.is_negative()));
         }
-        for (term, coefficient) in terms {
-            let part = match self.context.graph.node(*term) {
-                Node::Product {
-                    coefficient: inner,
-                    factors,
-                } => self.product(values, &(inner * coefficient), factors),
-                _ => self.product(values, coefficient, &[(*term, Rational::one())]),
-            };
-            parts.push(part);
-        }
+        parts.extend(self.terms(values, terms));
         let mut total: Total = None;
         for stages in [
             &[Stage::Constant, Stage::Parameter][..],
@@ -265,6 +256,47 @@ impl<'c, 'g> Lowering<'c, 'g> {
             None => values.constant(0.0),
             Some((value, false)) => value,
             Some((value, true)) => values.apply(Operation::Negate, &[value]),
+        }
+    }
+
+    /// The terms of a sum. Different quantities may have one value, as those of equal bodies do:
+    /// what occurs several times is written once, times a number.
+    fn terms(&self, values: &mut Values, terms: &[(Expr, Rational)]) -> Vec<(Value, bool)> {
+        let mut different: Vec<(usize, (Value, bool), i64)> = Vec::with_capacity(terms.len());
+        let mut positions: HashMap<Value, usize> = HashMap::with_capacity(terms.len());
+        for (index, term) in terms.iter().enumerate() {
+            let part = self.term(values, term, 1);
+            let position = *positions.entry(part.0).or_insert(different.len());
+            if position == different.len() {
+                different.push((index, part, 0));
+            }
+            let (_, first, count) = &mut different[position];
+            *count += if *first == part { 1 } else { -1 };
+        }
+        different.retain(|(_, _, count)| *count != 0);
+        different
+            .into_iter()
+            .map(|(index, part, count)| match count {
+                1 => part,
+                _ => self.term(values, &terms[index], count),
+            })
+            .collect()
+    }
+
+    /// `count` times a term of a sum.
+    fn term(
+        &self,
+        values: &mut Values,
+        (term, coefficient): &(Expr, Rational),
+        count: i64,
+    ) -> (Value, bool) {
+        let coefficient = coefficient * Rational::from_integer(count.into());
+        match self.context.graph.node(*term) {
+            Node::Product {
+                coefficient: inner,
+                factors,
+            } => self.product(values, &(inner * coefficient), factors),
+            _ => self.product(values, &coefficient, &[(*term, Rational::one())]),
         }
     }
 

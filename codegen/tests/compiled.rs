@@ -176,6 +176,7 @@ golden! {
     msdm: msdm in msdm_golden at "golden/msdm.rs",
     n_windows_1: n_windows_1 in n_windows_1_golden at "golden/n_windows_1.rs",
     n_windows_2: n_windows_2 in n_windows_2_golden at "golden/n_windows_2.rs",
+    n_windows_40: n_windows_40 in n_windows_40_golden at "golden/n_windows_40.rs",
     parallelogram_stage: parallelogram_stage in parallelogram_stage_golden at "golden/parallelogram_stage.rs",
     pendulum: pendulum in pendulum_golden at "golden/pendulum.rs",
     six_bar: six_bar in six_bar_golden at "golden/six_bar.rs",

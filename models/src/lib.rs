@@ -23,6 +23,7 @@ flexure_macros::include_model!(::flexure_runtime, "lugre_mass.flex");
 flexure_macros::include_model!(::flexure_runtime, "msdm.flex");
 flexure_macros::include_model!(::flexure_runtime, "n_windows_1.flex");
 flexure_macros::include_model!(::flexure_runtime, "n_windows_2.flex");
+flexure_macros::include_model!(::flexure_runtime, "n_windows_40.flex");
 flexure_macros::include_model!(::flexure_runtime, "parallelogram_stage.flex");
 flexure_macros::include_model!(::flexure_runtime, "pendulum.flex");
 flexure_macros::include_model!(::flexure_runtime, "six_bar.flex");

@@ -18,6 +18,7 @@ pub mod oracle;
 pub mod probe;
 pub mod random;
 pub mod twin;
+pub mod windows;
 
 use flexure_model_dsl::model::{BodyId, Model};
 use flexure_model_dsl::source::Source;

@@ -1,6 +1,6 @@
 //! Bodies of functions: a `let` for what is shared or named, everything else nested.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 
 use flexure_runtime::tape::Operation;
 use proc_macro2::TokenStream;
@@ -72,6 +72,8 @@ pub(super) struct Body<'w, 'p> {
     is_prepare: bool,
     namer: Namer,
     pieces: HashMap<Value, Piece>,
+    /// The values of `pieces` in the order in which they came.
+    made: Vec<Value>,
     stage: Option<Stage>,
     /// Names for given quantities, by what is read.
     loads: BTreeMap<(u8, u32), TokenStream>,
@@ -103,6 +105,7 @@ impl<'w, 'p> Body<'w, 'p> {
             is_prepare,
             namer,
             pieces: HashMap::new(),
+            made: Vec::new(),
             stage: None,
             loads: BTreeMap::new(),
             nameless: 0,
@@ -118,12 +121,15 @@ impl<'w, 'p> Body<'w, 'p> {
     /// Statements that `write` adds, for a block of their own; what they name is unknown after it.
     pub(super) fn block(&mut self, write: impl FnOnce(&mut Self)) -> Vec<TokenStream> {
         let outside = std::mem::take(&mut self.statements);
-        let known: HashSet<Value> = self.pieces.keys().copied().collect();
+        let known = self.made.len();
         write(self);
         let values = &self.writer.program.values;
-        // What is given stays loaded: loads stand outside of all blocks.
-        self.pieces
-            .retain(|value, _| known.contains(value) || !values.is_computed(*value));
+        for value in self.made.split_off(known) {
+            // What is given stays loaded: loads stand outside of all blocks.
+            if values.is_computed(value) {
+                self.pieces.remove(&value);
+            }
+        }
         std::mem::replace(&mut self.statements, outside)
     }
 
@@ -136,8 +142,14 @@ impl<'w, 'p> Body<'w, 'p> {
     pub(super) fn name(&mut self, value: Value, wanted: &str) -> String {
         let name = self.namer.name(wanted);
         let name_ident = ident(&name);
-        self.pieces.insert(value, Piece::atom(quote!(#name_ident)));
+        self.keep(value, Piece::atom(quote!(#name_ident)));
         name
+    }
+
+    fn keep(&mut self, value: Value, piece: Piece) {
+        if self.pieces.insert(value, piece).is_none() {
+            self.made.push(value);
+        }
     }
 
     /// Writes `order`, whose values are used as often as they occur among each other's operands
@@ -163,9 +175,10 @@ impl<'w, 'p> Body<'w, 'p> {
                 Node::Lookup(_, position) => (Operation::Lookup, [position; 3]),
                 _ => continue,
             };
-            if matches!(operation, Operation::Sin | Operation::Cos) && angles.contains(&operands[0])
+            if matches!(operation, Operation::Sin | Operation::Cos)
+                && let Some(&pair) = angles.get(&operands[0])
             {
-                self.sine_and_cosine(order, operands[0], value);
+                self.sine_and_cosine(pair, operands[0], value);
                 continue;
             }
             let piece = self.expression(value, operation, operands);
@@ -175,7 +188,7 @@ impl<'w, 'p> Body<'w, 'p> {
             if is_named || (is_shared && !is_trivial) || piece.length > LINE {
                 self.bind(value, &piece.tokens);
             } else {
-                self.pieces.insert(value, piece);
+                self.keep(value, piece);
             }
         }
         for &root in roots {
@@ -214,42 +227,43 @@ impl<'w, 'p> Body<'w, 'p> {
         apply(&self.number, operation, &a, &b, &c)
     }
 
-    /// Angles of which both sine and cosine are computed.
-    fn shared_angles(&self, order: &[Value]) -> HashSet<Value> {
+    /// Angles of which both sine and cosine are computed, and these.
+    fn shared_angles(&self, order: &[Value]) -> HashMap<Value, [Value; 2]> {
         let values = &self.writer.program.values;
-        let mut of = [HashSet::new(), HashSet::new()];
-        for value in order {
-            match values.node(*value) {
-                Node::Apply(Operation::Sin, [angle, ..]) => of[0].insert(angle),
-                Node::Apply(Operation::Cos, [angle, ..]) => of[1].insert(angle),
+        let mut of = [HashMap::new(), HashMap::new()];
+        for &value in order {
+            match values.node(value) {
+                Node::Apply(Operation::Sin, [angle, ..]) => of[0].insert(angle, value),
+                Node::Apply(Operation::Cos, [angle, ..]) => of[1].insert(angle, value),
                 _ => continue,
             };
         }
-        of[0].intersection(&of[1]).copied().collect()
+        let [sines, cosines] = of;
+        sines
+            .into_iter()
+            .filter_map(|(angle, sine)| Some((angle, [sine, *cosines.get(&angle)?])))
+            .collect()
     }
 
-    fn sine_and_cosine(&mut self, order: &[Value], angle: Value, first: Value) {
-        let values = &self.writer.program.values;
-        let mut names = [None, None];
-        for &value in order {
-            if let Node::Apply(operation @ (Operation::Sin | Operation::Cos), [of, ..]) =
-                values.node(value)
-                && of == angle
-            {
-                let name = self.wanted_name(value);
-                names[usize::from(operation == Operation::Cos)] = Some(self.name(value, &name));
-            }
-        }
-        if let [Some(sin), Some(cos)] = names {
-            let (sin, cos) = (ident(&sin), ident(&cos));
-            let piece = self.piece(angle);
-            let of = apply(&self.number, Operation::Sin, &piece, &piece, &piece).tokens;
-            // `angle.sin()` with another method's name: the receiver is the same.
-            let of = replace_method(of, "sin_cos");
-            let comment = self.stage_comment(first);
-            self.statements
-                .push(quote!(#comment let (#sin, #cos) = #of;));
-        }
+    /// Names sine and cosine of an angle, of which `first` is met first.
+    fn sine_and_cosine(&mut self, pair: [Value; 2], angle: Value, first: Value) {
+        let mut name = |value: Value| {
+            let wanted = self.wanted_name(value);
+            ident(&self.name(value, &wanted))
+        };
+        let [sin, cos] = if pair[0] == first {
+            pair.map(name)
+        } else {
+            let cos = name(pair[1]);
+            [name(pair[0]), cos]
+        };
+        let piece = self.piece(angle);
+        let of = apply(&self.number, Operation::Sin, &piece, &piece, &piece).tokens;
+        // `angle.sin()` with another method's name: the receiver is the same.
+        let of = replace_method(of, "sin_cos");
+        let comment = self.stage_comment(first);
+        self.statements
+            .push(quote!(#comment let (#sin, #cos) = #of;));
     }
 
     fn bind(&mut self, value: Value, tokens: &TokenStream) {

@@ -310,10 +310,8 @@ pub mod andrews {
             let d_minus_ss = d_2 - ss;
             let d_minus_ss_squared = d_minus_ss * d_minus_ss;
             let (sin_beta0, cos_beta0) = beta0.sin_cos();
-            let rr_cos_beta0 = rr * cos_beta0;
-            let X1_0 = xb - rr_cos_beta0;
-            let rr_sin_beta0 = rr * sin_beta0;
-            let Y1_0 = yb - rr_sin_beta0;
+            let X1_0 = xb - rr * cos_beta0;
+            let Y1_0 = yb - rr * sin_beta0;
             let D1_0 = X1_0 * X1_0 + Y1_0 * Y1_0;
             let d_plus_ss = d_2 + ss;
             let d_plus_ss_squared = d_plus_ss * d_plus_ss;
@@ -324,6 +322,7 @@ pub mod andrews {
             let t2 = t1 * 0.25 / d_squared_ss_squared;
             let e_minus_zt = e - zt;
             let e_minus_zt_squared = e_minus_zt * e_minus_zt;
+            let xa_minus_xb = xa - xb;
             let t3 = d_squared - ss_squared;
             let κ1_0 = (t3 + D1_0) * 0.5 / D1_0;
             let Y1_0_κ1_0 = Y1_0 * κ1_0;
@@ -333,15 +332,16 @@ pub mod andrews {
             let ε1 = t4.if_positive(1.0, -1.0);
             let η1_0 = ε1 * (-t1).sqrt() * 0.5 / D1_0;
             let X1_0_η1_0 = X1_0 * η1_0;
-            let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
+            let s3_0 = (Y1_0_κ1_0 - Y1_0 + X1_0_η1_0) / ss;
             let X1_0_κ1_0 = X1_0 * κ1_0;
             let Y1_0_η1_0 = Y1_0 * η1_0;
-            let c2_0 = -((X1_0_κ1_0 - Y1_0_η1_0) / d_2);
-            // angle of `coupler` as assembled
-            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(-0.06);
-            let (sin_φ2_0, cos_φ2_0) = φ2_0.sin_cos();
-            let X2_0 = xa - rr_cos_beta0 + d_2 * cos_φ2_0;
-            let Y2_0 = ya - rr_sin_beta0 + d_2 * sin_φ2_0;
+            let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / ss);
+            // angle of `lever` as assembled
+            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(-1.12);
+            let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
+            let X2_0 = xa_minus_xb - ss * cos_φ3_0;
+            let ya_minus_yb = ya - yb;
+            let Y2_0 = ya_minus_yb - ss * sin_φ3_0;
             let D2_0 = X2_0 * X2_0 + Y2_0 * Y2_0;
             let e_plus_zt = e + zt;
             let e_plus_zt_squared = e_plus_zt * e_plus_zt;
@@ -359,37 +359,35 @@ pub mod andrews {
             let u_squared = u_2 * u_2;
             let zf_squared_u_squared = zf_squared * u_squared;
             let t8 = t7 * 0.25 / zf_squared_u_squared;
-            let rr_squared = rr * rr;
             // constant of the inertia
-            let C0 = I1 + m1 * (ra * ra) + rr_squared * m2;
+            let C0 = I1 + m1 * (ra * ra) + rr * rr * m2;
             // constant of the inertia
             let C1 = I2 + m2 * (da * da);
-            let s3_0 = (Y1_0_κ1_0 - Y1_0 + X1_0_η1_0) / ss;
-            let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / ss);
-            // angle of `lever` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(-1.12);
-            let sin_beta0_minus_φ3_0 = (beta0 - φ3_0).sin();
+            let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
+            let c2_0 = -((X1_0_κ1_0 - Y1_0_η1_0) / d_2);
+            // angle of `coupler` as assembled
+            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(-0.06);
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t9 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
-            let t10 = rr_squared * C1 * (sin_beta0_minus_φ3_0 * sin_beta0_minus_φ3_0)
-                / (d_squared * t9);
+            // rate as assembled
+            let ω2_0 = rr * (beta0 - φ3_0).sin() / (d_2 * sin_φ2_0_minus_φ3_0);
             // constant of the inertia
             let C2 = I3 + m3 * (sa * sa) + m3 * (sb * sb) + ss_squared * m4
                 + ss_squared * m6;
             let beta0_minus_φ2_0 = beta0 - φ2_0;
             let (sin_beta0_minus_φ2_0, cos_beta0_minus_φ2_0) = beta0_minus_φ2_0
                 .sin_cos();
-            let t11 = rr_squared * C2 * (sin_beta0_minus_φ2_0 * sin_beta0_minus_φ2_0)
-                / (ss_squared * t9);
+            // rate as assembled
+            let ω3_0 = -(rr * sin_beta0_minus_φ2_0 / (ss * sin_φ2_0_minus_φ3_0));
             // constant of the inertia
             let C3 = I4 + m4 * (ea * ea);
-            let t12 = e_squared - zt_squared;
-            let κ2_0 = (t12 + D2_0) * 0.5 / D2_0;
+            let ss_ω3_0 = ss * ω3_0;
+            let t9 = e_squared - zt_squared;
+            let κ2_0 = (t9 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ2_0 = Y2_0 * κ2_0;
-            let t13 = (Y2_0 * 0.6524374681640519 + X2_0 * 0.757842562895277) / e
+            let t10 = (Y2_0 * 0.6524374681640519 + X2_0 * 0.757842562895277) / e
                 + (X2_0 * 0.470625888171158 - Y2_0 * 0.8823328586101215) / zt;
             // which way the loop closes: as drawn
-            let ε2 = t13.if_positive(1.0, -1.0);
+            let ε2 = t10.if_positive(1.0, -1.0);
             let η2_0 = ε2 * (-t5).sqrt() * 0.5 / D2_0;
             let X2_0_η2_0 = X2_0 * η2_0;
             let s_δ_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / zt;
@@ -398,32 +396,32 @@ pub mod andrews {
             let c_δ_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / zt);
             // angle of `upper_arm` as assembled
             let δ_0 = s_δ_0.atan2(c_δ_0).unwrap_to(0.49);
-            let rr_sin_beta0_minus_φ3_0 = rr * sin_beta0_minus_φ3_0;
-            let t14 = rr * (beta0 - δ_0).sin()
-                - rr_sin_beta0_minus_φ3_0 * (φ2_0 - δ_0).sin()
-                    / sin_φ2_0_minus_φ3_0;
             let s4_0 = -((Y2_0_κ2_0 + X2_0_η2_0) / e);
             let c4_0 = -((X2_0_κ2_0 - Y2_0_η2_0) / e);
             // angle of `upper` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(-0.86);
             let sin_φ4_0_minus_δ_0 = (φ4_0 - δ_0).sin();
-            let t15 = sin_φ4_0_minus_δ_0 * sin_φ4_0_minus_δ_0;
+            // rate as assembled
+            let ω4_0 = ss_ω3_0 * (φ3_0 - δ_0).sin() / (e * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C4 = I5 + m5 * (ta * ta) + m5 * (tb * tb);
-            let t16 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ4_0).sin()
-                / sin_φ2_0_minus_φ3_0;
-            let t17 = rr * (beta0 - φ4_0).sin() - t16;
-            let t18 = C0 + t10 + t11 + C3 * (t14 * t14) / (e_squared * t15)
-                + C4 * (t17 * t17) / (zt_squared * t15);
+            let φ3_0_minus_φ4_0 = φ3_0 - φ4_0;
+            let (sin_φ3_0_minus_φ4_0, cos_φ3_0_minus_φ4_0) = φ3_0_minus_φ4_0
+                .sin_cos();
+            // rate as assembled
+            let ω_δ_0 = -(ss_ω3_0 * sin_φ3_0_minus_φ4_0
+                / (zt * sin_φ4_0_minus_δ_0));
+            let t11 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
+                + C3 * (ω4_0 * ω4_0) + C4 * (ω_δ_0 * ω_δ_0);
             // constant of the inertia
             let C5 = I6 + m6 * (fa * fa);
-            let t19 = zf_squared - u_squared;
-            let κ3_0 = (t19 + D2_0) * 0.5 / D2_0;
+            let t12 = zf_squared - u_squared;
+            let κ3_0 = (t12 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ3_0 = Y2_0 * κ3_0;
-            let t20 = (Y2_0 * 0.9427546655283462 + X2_0 * 0.3334870921408144) / u_2
+            let t13 = (Y2_0 * 0.9427546655283462 + X2_0 * 0.3334870921408144) / u_2
                 + (X2_0 * 0.8468318446180152 - Y2_0 * 0.5318607213743555) / zf;
             // which way the loop closes: as drawn
-            let ε3 = (-t20).if_positive(1.0, -1.0);
+            let ε3 = (-t13).if_positive(1.0, -1.0);
             let η3_0 = ε3 * (-t7).sqrt() * 0.5 / D2_0;
             let X2_0_η3_0 = X2_0 * η3_0;
             let s7_0 = (Y2_0_κ3_0 - Y2_0 + X2_0_η3_0) / u_2;
@@ -432,37 +430,32 @@ pub mod andrews {
             let c7_0 = -((X2_0 - X2_0_κ3_0 + Y2_0_η3_0) / u_2);
             // angle of `lower_arm` as assembled
             let φ7_0 = s7_0.atan2(c7_0).unwrap_to(-0.34);
-            let t21 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ7_0).sin()
-                / sin_φ2_0_minus_φ3_0;
-            let t22 = rr * (beta0 - φ7_0).sin() - t21;
             let s6_0 = -((Y2_0_κ3_0 + X2_0_η3_0) / zf);
             let c6_0 = -((X2_0_κ3_0 - Y2_0_η3_0) / zf);
             // angle of `lower` as assembled
             let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.01);
             let sin_φ6_0_minus_φ7_0 = (φ6_0 - φ7_0).sin();
-            let t23 = sin_φ6_0_minus_φ7_0 * sin_φ6_0_minus_φ7_0;
+            // rate as assembled
+            let ω6_0 = ss_ω3_0 * (φ3_0 - φ7_0).sin() / (zf * sin_φ6_0_minus_φ7_0);
             // constant of the inertia
             let C6 = I7 + m7 * (ua * ua) + m7 * (ub * ub);
-            let t24 = rr_sin_beta0_minus_φ3_0 * (φ2_0 - φ6_0).sin()
-                / sin_φ2_0_minus_φ3_0;
-            let t25 = rr * (beta0 - φ6_0).sin() - t24;
-            let t26 = t18 + C5 * (t22 * t22) / (zf_squared * t23)
-                + C6 * (t25 * t25) / (u_squared * t23);
+            let φ3_0_minus_φ6_0 = φ3_0 - φ6_0;
+            let (sin_φ3_0_minus_φ6_0, cos_φ3_0_minus_φ6_0) = φ3_0_minus_φ6_0
+                .sin_cos();
+            // rate as assembled
+            let ω7_0 = -(ss_ω3_0 * sin_φ3_0_minus_φ6_0
+                / (u_2 * sin_φ6_0_minus_φ7_0));
             // constant of the inertia
             let C7 = -(rr * m2 * da * 2.0);
-            let t27 = rr * C7 * sin_beta0_minus_φ3_0 * cos_beta0_minus_φ2_0
-                / (d_2 * sin_φ2_0_minus_φ3_0);
+            let t14 = t11 + C5 * (ω6_0 * ω6_0) + C6 * (ω7_0 * ω7_0)
+                + C7 * ω2_0 * cos_beta0_minus_φ2_0;
             // constant of the inertia
             let C8 = -(ss * m4 * ea * 2.0);
-            let t28 = rr * C8 * sin_beta0_minus_φ2_0 * t14 * (φ3_0 - φ4_0).cos()
-                / (ss * e * sin_φ2_0_minus_φ3_0 * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C9 = -(ss * m6 * fa * 2.0);
-            let t29 = rr * C9 * sin_beta0_minus_φ2_0 * t22 * (φ3_0 - φ6_0).cos()
-                / (ss * zf * sin_φ2_0_minus_φ3_0 * sin_φ6_0_minus_φ7_0);
             // inertia as assembled
-            let A_crank_0 = t26 + t27 - t28 - t29;
-            let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
+            let A_crank_0 = t14 + C8 * ω3_0 * ω4_0 * cos_φ3_0_minus_φ4_0
+                + C9 * ω3_0 * ω6_0 * cos_φ3_0_minus_φ6_0;
             let Δx_pull_0 = xb - xc + sc * cos_φ3_0 - sd * sin_φ3_0;
             let Δy_pull_0 = yb - yc + sc * sin_φ3_0 + sd * cos_φ3_0;
             // length of `pull` as assembled
@@ -568,7 +561,6 @@ pub mod andrews {
                                 (sqrt_D2_0 - e - zt).larger(e_minus_zt.abs() - sqrt_D2_0),
                                 (zt - sqrt_D2_0).abs(),
                                 zt + sqrt_D2_0,
-                                beta0,
                             ],
                         ),
                 );
@@ -583,7 +575,6 @@ pub mod andrews {
                                     .larger(e_minus_zt.abs() - sqrt_D2_0_2),
                                 (zt - sqrt_D2_0_2).abs(),
                                 zt + sqrt_D2_0_2,
-                                beta0,
                             ],
                         ),
                 );
@@ -598,7 +589,6 @@ pub mod andrews {
                                     .larger(zf_minus_u.abs() - sqrt_D2_0_3),
                                 (u_2 - sqrt_D2_0_3).abs(),
                                 u_2 + sqrt_D2_0_3,
-                                beta0,
                             ],
                         ),
                 );
@@ -613,7 +603,6 @@ pub mod andrews {
                                     .larger(zf_minus_u.abs() - sqrt_D2_0_4),
                                 (u_2 - sqrt_D2_0_4).abs(),
                                 u_2 + sqrt_D2_0_4,
-                                beta0,
                             ],
                         ),
                 );
@@ -633,8 +622,6 @@ pub mod andrews {
                 zt,
                 zf,
                 u: u_2,
-                xa,
-                ya,
                 xb,
                 yb,
                 c0,
@@ -650,31 +637,34 @@ pub mod andrews {
                 C1,
                 rr_per_ss: rr / ss,
                 C2,
-                constant2: t12,
+                ya_minus_yb,
+                xa_minus_xb,
+                constant2: t9,
                 e_minus_zt_squared,
                 e_plus_zt_squared,
-                s2_0,
-                c2_0,
-                φ2_0,
+                s3_0,
+                c3_0,
+                φ3_0,
                 half_ε2: ε2 * 0.5,
                 per_e: e.recip(),
                 per_zt: zt.recip(),
+                ss_per_e: ss / e,
                 C3,
+                ss_per_zt: ss / zt,
                 C4,
-                constant3: t19,
+                constant3: t12,
                 zf_minus_u_squared,
                 zf_plus_u_squared,
                 half_ε3: ε3 * 0.5,
                 per_zf: zf.recip(),
                 per_u: u_2.recip(),
+                ss_per_zf: ss / zf,
                 C5,
+                ss_per_u: ss / u_2,
                 C6,
                 C7,
                 C8,
                 C9,
-                s3_0,
-                c3_0,
-                φ3_0,
                 Δx_pull_0,
                 Δy_pull_0,
                 L_pull_0,
@@ -685,10 +675,13 @@ pub mod andrews {
                 two_C4: C4 * 2.0,
                 two_C5: C5 * 2.0,
                 two_C6: C6 * 2.0,
-                two_d: d_2 * 2.0,
+                two_ss: ss * 2.0,
                 two_C7: C7 * 2.0,
                 two_C8: C8 * 2.0,
                 two_C9: C9 * 2.0,
+                s2_0,
+                c2_0,
+                φ2_0,
                 s4_0,
                 c4_0,
                 φ4_0,
@@ -736,10 +729,6 @@ pub mod andrews {
         pub zf: T,
         /// `u`
         pub u: T,
-        /// `xa`
-        pub xa: T,
-        /// `ya`
-        pub ya: T,
         /// `xb`
         pub xb: T,
         /// `yb`
@@ -770,26 +759,34 @@ pub mod andrews {
         pub rr_per_ss: T,
         /// `C2` constant of the inertia
         pub C2: T,
+        /// `ya - yb`
+        pub ya_minus_yb: T,
+        /// `xa - xb`
+        pub xa_minus_xb: T,
         /// `e * e - zt * zt`
         pub constant2: T,
         /// `(e - zt) * (e - zt)`
         pub e_minus_zt_squared: T,
         /// `(e + zt) * (e + zt)`
         pub e_plus_zt_squared: T,
-        /// `s2⁰`
-        pub s2_0: T,
-        /// `c2⁰`
-        pub c2_0: T,
-        /// `φ2⁰` angle of \`coupler\` as assembled
-        pub φ2_0: T,
+        /// `s3⁰`
+        pub s3_0: T,
+        /// `c3⁰`
+        pub c3_0: T,
+        /// `φ3⁰` angle of \`lever\` as assembled
+        pub φ3_0: T,
         /// `0.5 * ε2`
         pub half_ε2: T,
         /// `1.0 / e`
         pub per_e: T,
         /// `1.0 / zt`
         pub per_zt: T,
+        /// `ss / e`
+        pub ss_per_e: T,
         /// `C3` constant of the inertia
         pub C3: T,
+        /// `ss / zt`
+        pub ss_per_zt: T,
         /// `C4` constant of the inertia
         pub C4: T,
         /// `zf * zf - u * u`
@@ -804,8 +801,12 @@ pub mod andrews {
         pub per_zf: T,
         /// `1.0 / u`
         pub per_u: T,
+        /// `ss / zf`
+        pub ss_per_zf: T,
         /// `C5` constant of the inertia
         pub C5: T,
+        /// `ss / u`
+        pub ss_per_u: T,
         /// `C6` constant of the inertia
         pub C6: T,
         /// `C7` constant of the inertia
@@ -814,12 +815,6 @@ pub mod andrews {
         pub C8: T,
         /// `C9` constant of the inertia
         pub C9: T,
-        /// `s3⁰`
-        pub s3_0: T,
-        /// `c3⁰`
-        pub c3_0: T,
-        /// `φ3⁰` angle of \`lever\` as assembled
-        pub φ3_0: T,
         /// `Δx_pull⁰`
         pub Δx_pull_0: T,
         /// `Δy_pull⁰`
@@ -840,14 +835,20 @@ pub mod andrews {
         pub two_C5: T,
         /// `2.0 * C6`
         pub two_C6: T,
-        /// `2.0 * d`
-        pub two_d: T,
+        /// `2.0 * ss`
+        pub two_ss: T,
         /// `2.0 * C7`
         pub two_C7: T,
         /// `2.0 * C8`
         pub two_C8: T,
         /// `2.0 * C9`
         pub two_C9: T,
+        /// `s2⁰`
+        pub s2_0: T,
+        /// `c2⁰`
+        pub c2_0: T,
+        /// `φ2⁰` angle of \`coupler\` as assembled
+        pub φ2_0: T,
         /// `s4⁰`
         pub s4_0: T,
         /// `c4⁰`
@@ -896,8 +897,6 @@ pub mod andrews {
                 zt: turn(self.zt),
                 zf: turn(self.zf),
                 u: turn(self.u),
-                xa: turn(self.xa),
-                ya: turn(self.ya),
                 xb: turn(self.xb),
                 yb: turn(self.yb),
                 c0: turn(self.c0),
@@ -913,16 +912,20 @@ pub mod andrews {
                 C1: turn(self.C1),
                 rr_per_ss: turn(self.rr_per_ss),
                 C2: turn(self.C2),
+                ya_minus_yb: turn(self.ya_minus_yb),
+                xa_minus_xb: turn(self.xa_minus_xb),
                 constant2: turn(self.constant2),
                 e_minus_zt_squared: turn(self.e_minus_zt_squared),
                 e_plus_zt_squared: turn(self.e_plus_zt_squared),
-                s2_0: turn(self.s2_0),
-                c2_0: turn(self.c2_0),
-                φ2_0: turn(self.φ2_0),
+                s3_0: turn(self.s3_0),
+                c3_0: turn(self.c3_0),
+                φ3_0: turn(self.φ3_0),
                 half_ε2: turn(self.half_ε2),
                 per_e: turn(self.per_e),
                 per_zt: turn(self.per_zt),
+                ss_per_e: turn(self.ss_per_e),
                 C3: turn(self.C3),
+                ss_per_zt: turn(self.ss_per_zt),
                 C4: turn(self.C4),
                 constant3: turn(self.constant3),
                 zf_minus_u_squared: turn(self.zf_minus_u_squared),
@@ -930,14 +933,13 @@ pub mod andrews {
                 half_ε3: turn(self.half_ε3),
                 per_zf: turn(self.per_zf),
                 per_u: turn(self.per_u),
+                ss_per_zf: turn(self.ss_per_zf),
                 C5: turn(self.C5),
+                ss_per_u: turn(self.ss_per_u),
                 C6: turn(self.C6),
                 C7: turn(self.C7),
                 C8: turn(self.C8),
                 C9: turn(self.C9),
-                s3_0: turn(self.s3_0),
-                c3_0: turn(self.c3_0),
-                φ3_0: turn(self.φ3_0),
                 Δx_pull_0: turn(self.Δx_pull_0),
                 Δy_pull_0: turn(self.Δy_pull_0),
                 L_pull_0: turn(self.L_pull_0),
@@ -948,10 +950,13 @@ pub mod andrews {
                 two_C4: turn(self.two_C4),
                 two_C5: turn(self.two_C5),
                 two_C6: turn(self.two_C6),
-                two_d: turn(self.two_d),
+                two_ss: turn(self.two_ss),
                 two_C7: turn(self.two_C7),
                 two_C8: turn(self.two_C8),
                 two_C9: turn(self.two_C9),
+                s2_0: turn(self.s2_0),
+                c2_0: turn(self.c2_0),
+                φ2_0: turn(self.φ2_0),
                 s4_0: turn(self.s4_0),
                 c4_0: turn(self.c4_0),
                 φ4_0: turn(self.φ4_0),
@@ -986,11 +991,9 @@ pub mod andrews {
         let turn_lever = d[1];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1000,14 +1003,12 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
         let t2 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
         let c3 = -t2;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
         let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
@@ -1018,9 +1019,9 @@ pub mod andrews {
         let t3 = p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2);
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -t3;
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
@@ -1038,26 +1039,21 @@ pub mod andrews {
         let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
-        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
-        let t5 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
+        let ω3_per_sin_φ4_minus_δ = ω3 * per_sin_φ4_minus_δ;
+        let sin_φ3_minus_δ = s3 * c_δ - c3 * s_δ;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t5;
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t6 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
-        let t7 = p.per_zt * t6;
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
+        let t5 = p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4);
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω_δ = -t7;
-        let t8 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
+        let ω_δ = -t5;
+        let t6 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
             + p.C4 * (ω_δ * ω_δ);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t9 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t9;
+        let η3 = p.half_ε3 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1067,121 +1063,106 @@ pub mod andrews {
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
         let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t10 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * per_sin_φ6_minus_φ7;
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t10;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t11 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
-        let t12 = p.per_u * t11;
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
+        let t8 = p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6);
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -t12;
+        let ω7 = -t8;
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
-        let t13 = t8 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t9 = t6 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * (ω2 * cos_β_minus_φ2);
-        let ω3_ω4 = ω3 * ω4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
-        let ω3_ω6 = ω3 * ω6;
         let cos_φ3_minus_φ6 = c3 * c6 + s3 * s6;
         // inertia
-        let A = t13 + p.C8 * (ω3_ω4 * cos_φ3_minus_φ4)
-            + p.C9 * (ω3_ω6 * cos_φ3_minus_φ6);
-        let t14 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let A = t9 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
+            + p.C9 * (ω3 * ω6 * cos_φ3_minus_φ6);
+        let t10 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t14.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t10.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_plus_φ3_0 = (φ3 + p.φ3_0) * 0.5;
         let (sin_half_φ3_plus_φ3_0, cos_half_φ3_plus_φ3_0) = half_φ3_plus_φ3_0
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
-        let t15 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
+        let t11 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
         // change of Δx_pull
-        let δx_pull = p.sc * t15
+        let δx_pull = p.sc * t11
             + p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
         // from end to end of `pull`
         let Δx_pull = p.Δx_pull_0 + δx_pull;
         // change of Δy_pull
         let δy_pull = p.sc
             * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
-            + p.sd * t15;
+            + p.sd * t11;
         // from end to end of `pull`
         let Δy_pull = p.Δy_pull_0 + δy_pull;
-        let t16 = δx_pull * (p.Δx_pull_0 + Δx_pull)
+        let t12 = δx_pull * (p.Δx_pull_0 + Δx_pull)
             + δy_pull * (p.Δy_pull_0 + Δy_pull);
         // length of `pull`
         let L_pull = (Δx_pull * Δx_pull + Δy_pull * Δy_pull).sqrt();
         // extension of `pull`
-        let e_pull = p.L_pull_0_minus_l0 + t16 * (p.L_pull_0 + L_pull).recip();
-        let t17 = ω3 * t2;
+        let e_pull = p.L_pull_0_minus_l0 + t12 * (p.L_pull_0 + L_pull).recip();
+        let t13 = ω3 * t2;
         let ω3_s3 = ω3 * s3;
-        let t18 = Δy_pull * (p.sc * t17 + p.sd * ω3_s3)
-            + Δx_pull * (p.sc * ω3_s3 - p.sd * t17);
+        let t14 = Δy_pull * (p.sc * t13 + p.sd * ω3_s3)
+            + Δx_pull * (p.sc * ω3_s3 - p.sd * t13);
         // lever of `pull`: change of its length
-        let dL_pull_dβ = -(L_pull.recip() * t18);
+        let dL_pull_dβ = -(L_pull.recip() * t14);
         // slope of the potential energy of springs
         let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
-        let t19 = ω2 + t3;
+        let t15 = ω2 + t3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t20 = p.rr * (cos_β_minus_φ3 * (ω3 - 1.0))
-            + p.d * (ω2 * t19 * cos_φ2_minus_φ3);
-        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t20));
+        let t16 = p.rr * (cos_β_minus_φ3 * (ω3 - 1.0))
+            + p.d * (ω2 * t15 * cos_φ2_minus_φ3);
+        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t16));
         let ω2_minus_one = ω2 - 1.0;
-        let t21 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
-            - p.ss * (ω3 * t19 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t21);
-        let cos_β_minus_δ = cos_β * c_δ + sin_β * s_δ;
-        let t22 = p.rr * (cos_β_minus_δ * (ω_δ - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_δ);
-        let cos_φ2_minus_δ = c2 * c_δ + s2 * s_δ;
-        let t23 = ω4 + t7;
+        let t17 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
+            - p.ss * (ω3 * t15 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t17);
+        let cos_φ3_minus_δ = c3 * c_δ + s3 * s_δ;
+        let t18 = p.ss * (ω3_prime * sin_φ3_minus_δ)
+            + p.ss * (ω3 * (t5 - t3) * cos_φ3_minus_δ);
+        let t19 = ω4 + t5;
         let cos_φ4_minus_δ = c4 * c_δ + s4 * s_δ;
-        let t24 = t22 + p.d * (ω2 * (ω2 + t7) * cos_φ2_minus_δ)
-            + p.e * (ω4 * t23 * cos_φ4_minus_δ);
-        let ω4_prime = -(p.per_e * (per_sin_φ4_minus_δ * t24));
-        let t25 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let ω4_prime = p.per_e
+            * (per_sin_φ4_minus_δ * (t18 - p.e * (ω4 * t19 * cos_φ4_minus_δ)));
+        let t20 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω4 * ω4_prime);
-        let cos_β_minus_φ4 = cos_β * c4 + sin_β * s4;
-        let t26 = p.rr * (cos_β_minus_φ4 * (ω4 - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_φ4);
-        let cos_φ2_minus_φ4 = c2 * c4 + s2 * s4;
-        let t27 = t26 + p.d * (ω2 * (ω2 - ω4) * cos_φ2_minus_φ4)
-            - p.zt * (ω_δ * t23 * cos_φ4_minus_δ);
-        let ω_δ_prime = p.per_zt * (per_sin_φ4_minus_δ * t27);
-        let cos_β_minus_φ7 = cos_β * c7 + sin_β * s7;
-        let t28 = p.rr * (cos_β_minus_φ7 * (ω7 - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_φ7);
-        let cos_φ2_minus_φ7 = c2 * c7 + s2 * s7;
-        let t29 = ω6 + t12;
+        let ω3_minus_ω4 = ω3 - ω4;
+        let t21 = p.ss * (ω3_prime * sin_φ3_minus_φ4)
+            + p.ss * (ω3 * ω3_minus_ω4 * cos_φ3_minus_φ4);
+        let t22 = p.per_zt
+            * (per_sin_φ4_minus_δ * (t21 + p.zt * (ω_δ * t19 * cos_φ4_minus_δ)));
+        let ω_δ_prime = -t22;
+        let cos_φ3_minus_φ7 = c3 * c7 + s3 * s7;
+        let t23 = p.ss * (ω3_prime * sin_φ3_minus_φ7)
+            + p.ss * (ω3 * (t8 - t3) * cos_φ3_minus_φ7);
+        let t24 = ω6 + t8;
         let cos_φ6_minus_φ7 = c6 * c7 + s6 * s7;
-        let t30 = t28 + p.d * (ω2 * (ω2 + t12) * cos_φ2_minus_φ7)
-            + p.zf * (ω6 * t29 * cos_φ6_minus_φ7);
-        let ω6_prime = -(p.per_zf * (per_sin_φ6_minus_φ7 * t30));
-        let cos_β_minus_φ6 = cos_β * c6 + sin_β * s6;
-        let t31 = p.rr * (cos_β_minus_φ6 * (ω6 - 1.0))
-            + p.d * (ω2_prime * sin_φ2_minus_φ6);
-        let cos_φ2_minus_φ6 = c2 * c6 + s2 * s6;
-        let t32 = t31 + p.d * (ω2 * (ω2 - ω6) * cos_φ2_minus_φ6)
-            - p.u * (ω7 * t29 * cos_φ6_minus_φ7);
-        let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t32);
-        let t33 = t25 + p.two_C4 * (ω_δ * ω_δ_prime) + p.two_C5 * (ω6 * ω6_prime)
+        let ω6_prime = p.per_zf
+            * (per_sin_φ6_minus_φ7 * (t23 - p.zf * (ω6 * t24 * cos_φ6_minus_φ7)));
+        let ω3_minus_ω6 = ω3 - ω6;
+        let t25 = p.ss * (ω3_prime * sin_φ3_minus_φ6)
+            + p.ss * (ω3 * ω3_minus_ω6 * cos_φ3_minus_φ6);
+        let t26 = p.per_u
+            * (per_sin_φ6_minus_φ7 * (t25 + p.u * (ω7 * t24 * cos_φ6_minus_φ7)));
+        let ω7_prime = -t26;
+        let t27 = t20 + p.two_C4 * (ω_δ * ω_δ_prime) + p.two_C5 * (ω6 * ω6_prime)
             + p.two_C6 * (ω7 * ω7_prime);
-        let t34 = t33 + p.C7 * (ω2_prime * cos_β_minus_φ2)
+        let t28 = t27 + p.C7 * (ω2_prime * cos_β_minus_φ2)
             + p.C7 * (sin_β_minus_φ2 * ω2 * ω2_minus_one);
-        let t35 = t34 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
+        let t29 = t28 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
             + p.C8 * (ω3 * ω4_prime * cos_φ3_minus_φ4);
-        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
-        let t36 = t35 - p.C8 * (ω3_ω4 * (ω3 - ω4) * sin_φ3_minus_φ4)
+        let t30 = t29 - p.C8 * (ω3 * sin_φ3_minus_φ4 * ω4 * ω3_minus_ω4)
             + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
-        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
         // slope of the inertia
-        let dA_dβ = t36 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
-            - p.C9 * (ω3_ω6 * (ω3 - ω6) * sin_φ3_minus_φ6);
+        let dA_dβ = t30 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
+            - p.C9 * (ω3 * sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6);
         // ── state ──
         let ddβ = -(A.recip() * (dP_s_dβ - p.mom + dA_dβ * 0.5 * (dβ * dβ)));
         dx[0] = dβ;
@@ -1202,11 +1183,9 @@ pub mod andrews {
         let turn_lever = d[1];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1216,14 +1195,12 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
         let t2 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
         let c3 = -t2;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
         let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
@@ -1235,9 +1212,9 @@ pub mod andrews {
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -t3;
         let ω3_squared = ω3 * ω3;
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
@@ -1255,27 +1232,20 @@ pub mod andrews {
         let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
         let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
-        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
-        let ω2_sin_φ2_minus_δ = ω2 * sin_φ2_minus_δ;
-        let t5 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * ω2_sin_φ2_minus_δ);
+        let ω3_per_sin_φ4_minus_δ = ω3 * per_sin_φ4_minus_δ;
+        let sin_φ3_minus_δ = s3 * c_δ - c3 * s_δ;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t5;
-        let t6 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * ω3_squared + p.C3 * (ω4 * ω4);
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let ω2_sin_φ2_minus_φ4 = ω2 * sin_φ2_minus_φ4;
-        let t7 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * ω2_sin_φ2_minus_φ4);
-        let t8 = p.per_zt * t7;
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let t5 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * ω3_squared + p.C3 * (ω4 * ω4);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
+        let t6 = p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4);
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω_δ = -t8;
+        let ω_δ = -t6;
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t9 = per_D2
+        let t7 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t9;
+        let η3 = p.half_ε3 * t7;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1285,123 +1255,97 @@ pub mod andrews {
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
         let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let ω2_sin_φ2_minus_φ7 = ω2 * sin_φ2_minus_φ7;
-        let t10 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * ω2_sin_φ2_minus_φ7);
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * per_sin_φ6_minus_φ7;
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t10;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let ω2_sin_φ2_minus_φ6 = ω2 * sin_φ2_minus_φ6;
-        let t11 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * ω2_sin_φ2_minus_φ6);
-        let t12 = p.per_u * t11;
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
+        let t8 = p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6);
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -t12;
+        let ω7 = -t8;
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
         let ω2_cos_β_minus_φ2 = ω2 * cos_β_minus_φ2;
-        let t13 = t6 + p.C4 * (ω_δ * ω_δ) + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t9 = t5 + p.C4 * (ω_δ * ω_δ) + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * ω2_cos_β_minus_φ2;
         let ω3_ω4 = ω3 * ω4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
-        let ω3_ω4_cos_φ3_minus_φ4 = ω3_ω4 * cos_φ3_minus_φ4;
         let ω3_ω6 = ω3 * ω6;
         let cos_φ3_minus_φ6 = c3 * c6 + s3 * s6;
-        let ω3_ω6_cos_φ3_minus_φ6 = ω3_ω6 * cos_φ3_minus_φ6;
         // inertia
-        let A = t13 + p.C8 * ω3_ω4_cos_φ3_minus_φ4
-            + p.C9 * ω3_ω6_cos_φ3_minus_φ6;
+        let A = t9 + p.C8 * (ω3_ω4 * cos_φ3_minus_φ4)
+            + p.C9 * (ω3_ω6 * cos_φ3_minus_φ6);
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
         let ω3_minus_one = ω3 - 1.0;
-        let t14 = ω2 + t3;
+        let t10 = ω2 + t3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t15 = p.rr * (cos_β_minus_φ3 * ω3_minus_one)
-            + p.d * (ω2 * t14 * cos_φ2_minus_φ3);
-        let t16 = p.per_d * (per_sin_φ2_minus_φ3 * t15);
-        let ω2_prime = -t16;
+        let t11 = p.rr * (cos_β_minus_φ3 * ω3_minus_one)
+            + p.d * (ω2 * t10 * cos_φ2_minus_φ3);
+        let ω2_prime = -(p.per_d * (per_sin_φ2_minus_φ3 * t11));
         let ω2_minus_one = ω2 - 1.0;
-        let t17 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
-            - p.ss * (ω3 * t14 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t17);
-        let cos_β_minus_δ = cos_β * c_δ + sin_β * s_δ;
-        let ω_δ_minus_one = ω_δ - 1.0;
-        let t18 = p.rr * (cos_β_minus_δ * ω_δ_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_δ);
-        let t19 = ω2 + t8;
-        let cos_φ2_minus_δ = c2 * c_δ + s2 * s_δ;
-        let t20 = ω4 + t8;
+        let t12 = p.rr * (cos_β_minus_φ2 * ω2_minus_one)
+            - p.ss * (ω3 * t10 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_ss * (per_sin_φ2_minus_φ3 * t12);
+        let t13 = t6 - t3;
+        let cos_φ3_minus_δ = c3 * c_δ + s3 * s_δ;
+        let t14 = p.ss * (ω3_prime * sin_φ3_minus_δ)
+            + p.ss * (ω3 * t13 * cos_φ3_minus_δ);
+        let t15 = ω4 + t6;
         let cos_φ4_minus_δ = c4 * c_δ + s4 * s_δ;
-        let t21 = t18 + p.d * (ω2 * t19 * cos_φ2_minus_δ)
-            + p.e * (ω4 * t20 * cos_φ4_minus_δ);
-        let t22 = p.per_e * (per_sin_φ4_minus_δ * t21);
-        let ω4_prime = -t22;
-        let t23 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let t16 = t14 - p.e * (ω4 * t15 * cos_φ4_minus_δ);
+        let ω4_prime = p.per_e * (per_sin_φ4_minus_δ * t16);
+        let t17 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω4 * ω4_prime);
-        let cos_β_minus_φ4 = cos_β * c4 + sin_β * s4;
-        let ω4_minus_one = ω4 - 1.0;
-        let t24 = p.rr * (cos_β_minus_φ4 * ω4_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_φ4);
-        let ω2_minus_ω4 = ω2 - ω4;
-        let cos_φ2_minus_φ4 = c2 * c4 + s2 * s4;
-        let t25 = t24 + p.d * (ω2 * ω2_minus_ω4 * cos_φ2_minus_φ4)
-            - p.zt * (ω_δ * t20 * cos_φ4_minus_δ);
-        let ω_δ_prime = p.per_zt * (per_sin_φ4_minus_δ * t25);
-        let cos_β_minus_φ7 = cos_β * c7 + sin_β * s7;
-        let ω7_minus_one = ω7 - 1.0;
-        let t26 = p.rr * (cos_β_minus_φ7 * ω7_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_φ7);
-        let t27 = ω2 + t12;
-        let cos_φ2_minus_φ7 = c2 * c7 + s2 * s7;
-        let t28 = ω6 + t12;
+        let ω3_prime_sin_φ3_minus_φ4 = ω3_prime * sin_φ3_minus_φ4;
+        let ω3_minus_ω4 = ω3 - ω4;
+        let t18 = p.ss * ω3_prime_sin_φ3_minus_φ4
+            + p.ss * (ω3 * ω3_minus_ω4 * cos_φ3_minus_φ4);
+        let t19 = t18 + p.zt * (ω_δ * t15 * cos_φ4_minus_δ);
+        let t20 = p.per_zt * (per_sin_φ4_minus_δ * t19);
+        let ω_δ_prime = -t20;
+        let t21 = t8 - t3;
+        let cos_φ3_minus_φ7 = c3 * c7 + s3 * s7;
+        let t22 = p.ss * (ω3_prime * sin_φ3_minus_φ7)
+            + p.ss * (ω3 * t21 * cos_φ3_minus_φ7);
+        let t23 = ω6 + t8;
         let cos_φ6_minus_φ7 = c6 * c7 + s6 * s7;
-        let t29 = t26 + p.d * (ω2 * t27 * cos_φ2_minus_φ7)
-            + p.zf * (ω6 * t28 * cos_φ6_minus_φ7);
-        let t30 = p.per_zf * (per_sin_φ6_minus_φ7 * t29);
-        let ω6_prime = -t30;
-        let cos_β_minus_φ6 = cos_β * c6 + sin_β * s6;
-        let ω6_minus_one = ω6 - 1.0;
-        let t31 = p.rr * (cos_β_minus_φ6 * ω6_minus_one)
-            + p.d * (ω2_prime * sin_φ2_minus_φ6);
-        let ω2_minus_ω6 = ω2 - ω6;
-        let cos_φ2_minus_φ6 = c2 * c6 + s2 * s6;
-        let t32 = t31 + p.d * (ω2 * ω2_minus_ω6 * cos_φ2_minus_φ6)
-            - p.u * (ω7 * t28 * cos_φ6_minus_φ7);
-        let ω7_prime = p.per_u * (per_sin_φ6_minus_φ7 * t32);
-        let t33 = t23 + p.two_C4 * (ω_δ * ω_δ_prime) + p.two_C5 * (ω6 * ω6_prime)
+        let t24 = t22 - p.zf * (ω6 * t23 * cos_φ6_minus_φ7);
+        let ω6_prime = p.per_zf * (per_sin_φ6_minus_φ7 * t24);
+        let ω3_prime_sin_φ3_minus_φ6 = ω3_prime * sin_φ3_minus_φ6;
+        let ω3_minus_ω6 = ω3 - ω6;
+        let t25 = p.ss * ω3_prime_sin_φ3_minus_φ6
+            + p.ss * (ω3 * ω3_minus_ω6 * cos_φ3_minus_φ6);
+        let t26 = t25 + p.u * (ω7 * t23 * cos_φ6_minus_φ7);
+        let t27 = p.per_u * (per_sin_φ6_minus_φ7 * t26);
+        let ω7_prime = -t27;
+        let t28 = t17 + p.two_C4 * (ω_δ * ω_δ_prime) + p.two_C5 * (ω6 * ω6_prime)
             + p.two_C6 * (ω7 * ω7_prime);
         let ω2_prime_cos_β_minus_φ2 = ω2_prime * cos_β_minus_φ2;
         let sin_β_minus_φ2_ω2 = sin_β_minus_φ2 * ω2;
-        let t34 = t33 + p.C7 * ω2_prime_cos_β_minus_φ2
+        let t29 = t28 + p.C7 * ω2_prime_cos_β_minus_φ2
             + p.C7 * (sin_β_minus_φ2_ω2 * ω2_minus_one);
-        let ω3_prime_ω4 = ω3_prime * ω4;
-        let ω3_ω4_prime = ω3 * ω4_prime;
-        let t35 = t34 + p.C8 * (ω3_prime_ω4 * cos_φ3_minus_φ4)
-            + p.C8 * (ω3_ω4_prime * cos_φ3_minus_φ4);
-        let ω3_minus_ω4 = ω3 - ω4;
-        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
-        let ω3_prime_ω6 = ω3_prime * ω6;
-        let t36 = t35 - p.C8 * (ω3_ω4 * ω3_minus_ω4 * sin_φ3_minus_φ4)
-            + p.C9 * (ω3_prime_ω6 * cos_φ3_minus_φ6);
-        let ω3_ω6_prime = ω3 * ω6_prime;
-        let ω3_minus_ω6 = ω3 - ω6;
-        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
+        let t30 = t29 + p.C8 * (ω3_prime * ω4 * cos_φ3_minus_φ4)
+            + p.C8 * (ω3 * ω4_prime * cos_φ3_minus_φ4);
+        let ω3_sin_φ3_minus_φ4 = ω3 * sin_φ3_minus_φ4;
+        let ω3_sin_φ3_minus_φ4_ω4 = ω3_sin_φ3_minus_φ4 * ω4;
+        let t31 = t30 - p.C8 * (ω3_sin_φ3_minus_φ4_ω4 * ω3_minus_ω4)
+            + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
+        let ω3_sin_φ3_minus_φ6 = ω3 * sin_φ3_minus_φ6;
+        let ω3_sin_φ3_minus_φ6_ω6 = ω3_sin_φ3_minus_φ6 * ω6;
         // slope of the inertia
-        let dA_dβ = t36 + p.C9 * (ω3_ω6_prime * cos_φ3_minus_φ6)
-            - p.C9 * (ω3_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6);
-        let t37 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let dA_dβ = t31 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
+            - p.C9 * (ω3_sin_φ3_minus_φ6_ω6 * ω3_minus_ω6);
+        let t32 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t37.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t32.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_plus_φ3_0 = (φ3 + p.φ3_0) * 0.5;
         let (sin_half_φ3_plus_φ3_0, cos_half_φ3_plus_φ3_0) = half_φ3_plus_φ3_0
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
-        let t38 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
+        let t33 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
         // change of Δx_pull
-        let δx_pull = p.sc * t38
+        let δx_pull = p.sc * t33
             + p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
         // from end to end of `pull`
         let Δx_pull = p.Δx_pull_0 + δx_pull;
@@ -1409,160 +1353,156 @@ pub mod andrews {
         // change of Δy_pull
         let δy_pull = p.sc
             * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
-            + p.sd * t38;
+            + p.sd * t33;
         // from end to end of `pull`
         let Δy_pull = p.Δy_pull_0 + δy_pull;
         let Δy_pull_0_plus_Δy_pull = p.Δy_pull_0 + Δy_pull;
-        let t39 = δx_pull * Δx_pull_0_plus_Δx_pull
+        let t34 = δx_pull * Δx_pull_0_plus_Δx_pull
             + δy_pull * Δy_pull_0_plus_Δy_pull;
         // length of `pull`
         let L_pull = (Δx_pull * Δx_pull + Δy_pull * Δy_pull).sqrt();
         let L_pull_0_plus_L_pull = p.L_pull_0 + L_pull;
         let per_L_pull_0_plus_L_pull = L_pull_0_plus_L_pull.recip();
         // extension of `pull`
-        let e_pull = p.L_pull_0_minus_l0 + t39 * per_L_pull_0_plus_L_pull;
+        let e_pull = p.L_pull_0_minus_l0 + t34 * per_L_pull_0_plus_L_pull;
         let per_L_pull = L_pull.recip();
-        let t40 = ω3 * t2;
+        let t35 = ω3 * t2;
         let ω3_s3 = ω3 * s3;
-        let t41 = p.sc * t40 + p.sd * ω3_s3;
+        let t36 = p.sc * t35 + p.sd * ω3_s3;
         let sc_ω3_s3 = p.sc * ω3_s3;
-        let t42 = p.sd * t40;
-        let t43 = sc_ω3_s3 - t42;
-        let t44 = Δy_pull * t41 + Δx_pull * t43;
+        let t37 = p.sd * t35;
+        let t38 = sc_ω3_s3 - t37;
+        let t39 = Δy_pull * t36 + Δx_pull * t38;
         // lever of `pull`: change of its length
-        let dL_pull_dβ = -(per_L_pull * t44);
+        let dL_pull_dβ = -(per_L_pull * t39);
         // slope of the potential energy of springs
         let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
         let per_A = A.recip();
-        let dδx_pull_dβ = t42 - sc_ω3_s3;
-        let dδy_pull_dβ = -t41;
-        let t45 = Δx_pull_0_plus_Δx_pull * dδx_pull_dβ + δx_pull * dδx_pull_dβ
+        let dδx_pull_dβ = t37 - sc_ω3_s3;
+        let dδy_pull_dβ = -t36;
+        let t40 = Δx_pull_0_plus_Δx_pull * dδx_pull_dβ + δx_pull * dδx_pull_dβ
             + Δy_pull_0_plus_Δy_pull * dδy_pull_dβ;
         let dL_pull_dβ_2 = (Δx_pull * dδx_pull_dβ * 2.0
             + Δy_pull * dδy_pull_dβ * 2.0) * 0.5 / L_pull;
-        let t46 = t39 * (L_pull_0_plus_L_pull * L_pull_0_plus_L_pull).recip()
+        let t41 = t34 * (L_pull_0_plus_L_pull * L_pull_0_plus_L_pull).recip()
             * dL_pull_dβ_2;
-        let de_pull_dβ = per_L_pull_0_plus_L_pull * (t45 + δy_pull * dδy_pull_dβ)
-            - t46;
-        let t47 = ω3_prime * t2;
+        let de_pull_dβ = per_L_pull_0_plus_L_pull * (t40 + δy_pull * dδy_pull_dβ)
+            - t41;
+        let t42 = ω3_prime * t2;
         let ω3_squared_s3 = ω3_squared * s3;
         let ω3_prime_s3 = ω3_prime * s3;
-        let t48 = ω3_squared * t2;
-        let t49 = p.sc * t47 + p.sc * ω3_squared_s3 + p.sd * ω3_prime_s3 - p.sd * t48;
-        let t50 = p.sc * ω3_prime_s3 - p.sc * t48 - p.sd * t47 - p.sd * ω3_squared_s3;
-        let t51 = t41 * dδy_pull_dβ + Δy_pull * t49 + t43 * dδx_pull_dβ
-            + Δx_pull * t50;
-        let ddL_pull_dβ_dβ = (L_pull * L_pull).recip() * t44 * dL_pull_dβ_2
-            - per_L_pull * t51;
+        let t43 = ω3_squared * t2;
+        let t44 = p.sc * t42 + p.sc * ω3_squared_s3 + p.sd * ω3_prime_s3 - p.sd * t43;
+        let t45 = p.sc * ω3_prime_s3 - p.sc * t43 - p.sd * t42 - p.sd * ω3_squared_s3;
+        let t46 = t36 * dδy_pull_dβ + Δy_pull * t44 + t38 * dδx_pull_dβ
+            + Δx_pull * t45;
+        let ddL_pull_dβ_dβ = (L_pull * L_pull).recip() * t39 * dL_pull_dβ_2
+            - per_L_pull * t46;
         let ddP_s_dβ_dβ = p.c0 * (dL_pull_dβ * de_pull_dβ)
             + p.c0 * (e_pull * ddL_pull_dβ_dβ);
-        let t52 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t14
+        let t47 = (sin_φ2_minus_φ3 * sin_φ2_minus_φ3).recip() * t10
             * cos_φ2_minus_φ3;
-        let t53 = p.rr * (sin_β_minus_φ3 * (ω3_minus_one * ω3_minus_one))
+        let t48 = p.rr * (sin_β_minus_φ3 * (ω3_minus_one * ω3_minus_one))
             + p.rr * (cos_β_minus_φ3 * ω3_prime);
-        let t54 = t14 * cos_φ2_minus_φ3;
+        let t49 = t10 * cos_φ2_minus_φ3;
         let ω2_prime_minus_ω3_prime = ω2_prime - ω3_prime;
-        let t55 = t53 + p.d * (t54 * ω2_prime)
+        let t50 = t48 + p.d * (t49 * ω2_prime)
             + p.d * (ω2 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
-        let t56 = t14 * t14;
-        let t57 = p.per_d
-            * (per_sin_φ2_minus_φ3 * (t55 - p.d * (sin_φ2_minus_φ3 * ω2 * t56)));
-        let dω2_prime_dβ = p.per_d * (t52 * t15) - t57;
+        let t51 = t10 * t10;
+        let t52 = p.per_d
+            * (per_sin_φ2_minus_φ3 * (t50 - p.d * (sin_φ2_minus_φ3 * ω2 * t51)));
+        let dω2_prime_dβ = p.per_d * (t47 * t11) - t52;
         let ω2_minus_one_squared = ω2_minus_one * ω2_minus_one;
-        let t58 = p.rr * (sin_β_minus_φ2 * ω2_minus_one_squared)
+        let t53 = p.rr * (sin_β_minus_φ2 * ω2_minus_one_squared)
             + p.rr * ω2_prime_cos_β_minus_φ2;
-        let t59 = t58 - p.ss * (t54 * ω3_prime)
+        let t54 = t53 - p.ss * (t49 * ω3_prime)
             - p.ss * (ω3 * cos_φ2_minus_φ3 * ω2_prime_minus_ω3_prime);
-        let t60 = p.per_ss
-            * (per_sin_φ2_minus_φ3 * (t59 + p.ss * (sin_φ2_minus_φ3 * ω3 * t56)));
-        let dω3_prime_dβ = t60 - p.per_ss * (t52 * t17);
-        let t61 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dβ)) * 2.0
+        let t55 = p.per_ss
+            * (per_sin_φ2_minus_φ3 * (t54 + p.ss * (sin_φ2_minus_φ3 * ω3 * t51)));
+        let dω3_prime_dβ = t55 - p.per_ss * (t47 * t12);
+        let t56 = (p.C1 * (ω2_prime * ω2_prime) + p.C1 * (ω2 * dω2_prime_dβ)) * 2.0
             + (p.C2 * (ω3_prime * ω3_prime) + p.C2 * (ω3 * dω3_prime_dβ)) * 2.0;
-        let t62 = (sin_φ4_minus_δ * sin_φ4_minus_δ).recip() * t20 * cos_φ4_minus_δ;
-        let t63 = p.rr * (sin_β_minus_δ * (ω_δ_minus_one * ω_δ_minus_one))
-            + p.rr * (cos_β_minus_δ * ω_δ_prime);
-        let t64 = t63 + p.d * (sin_φ2_minus_δ * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * t19 * cos_φ2_minus_δ);
-        let t65 = t64 + p.d * (ω2 * cos_φ2_minus_δ * (ω2_prime - ω_δ_prime))
-            - p.d * (ω2_sin_φ2_minus_δ * (t19 * t19));
-        let t66 = t20 * cos_φ4_minus_δ;
-        let ω4_prime_minus_ω_δ_prime = ω4_prime - ω_δ_prime;
-        let t67 = t65 + p.e * (t66 * ω4_prime)
-            + p.e * (ω4 * cos_φ4_minus_δ * ω4_prime_minus_ω_δ_prime);
-        let t68 = t20 * t20;
-        let t69 = p.per_e
-            * (per_sin_φ4_minus_δ * (t67 - p.e * (sin_φ4_minus_δ * ω4 * t68)));
-        let dω4_prime_dβ = p.per_e * (t62 * t21) - t69;
-        let t70 = t61
+        let t57 = p.ss * (sin_φ3_minus_δ * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * t13 * cos_φ3_minus_δ);
+        let t58 = t57 + p.ss * (ω3 * cos_φ3_minus_δ * (ω3_prime + t20))
+            - p.ss * (ω3 * sin_φ3_minus_δ * (t13 * t13));
+        let t59 = t15 * cos_φ4_minus_δ;
+        let t60 = ω4_prime + t20;
+        let t61 = t15 * t15;
+        let t62 = t58 - p.e * (t59 * ω4_prime) - p.e * (ω4 * cos_φ4_minus_δ * t60)
+            + p.e * (sin_φ4_minus_δ * ω4 * t61);
+        let t63 = (sin_φ4_minus_δ * sin_φ4_minus_δ).recip() * t15 * cos_φ4_minus_δ;
+        let dω4_prime_dβ = p.per_e * (per_sin_φ4_minus_δ * t62)
+            - p.per_e * (t63 * t16);
+        let t64 = t56
             + (p.C3 * (ω4_prime * ω4_prime) + p.C3 * (ω4 * dω4_prime_dβ)) * 2.0;
-        let t71 = p.rr * (sin_β_minus_φ4 * (ω4_minus_one * ω4_minus_one))
-            + p.rr * (ω4_prime * cos_β_minus_φ4);
-        let t72 = t71 + p.d * (sin_φ2_minus_φ4 * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * ω2_minus_ω4 * cos_φ2_minus_φ4);
-        let t73 = t72 + p.d * (ω2 * cos_φ2_minus_φ4 * (t22 - t16))
-            - p.d * (ω2_sin_φ2_minus_φ4 * (ω2_minus_ω4 * ω2_minus_ω4));
-        let t74 = t73 - p.zt * (t66 * ω_δ_prime)
-            - p.zt * (ω_δ * cos_φ4_minus_δ * ω4_prime_minus_ω_δ_prime);
-        let t75 = p.per_zt
-            * (per_sin_φ4_minus_δ * (t74 + p.zt * (sin_φ4_minus_δ * ω_δ * t68)));
-        let dω_δ_prime_dβ = t75 - p.per_zt * (t62 * t25);
-        let t76 = (p.C4 * (ω_δ_prime * ω_δ_prime)
+        let t65 = p.ss * (sin_φ3_minus_φ4 * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * ω3_minus_ω4 * cos_φ3_minus_φ4);
+        let ω3_cos_φ3_minus_φ4 = ω3 * cos_φ3_minus_φ4;
+        let ω3_prime_minus_ω4_prime = ω3_prime - ω4_prime;
+        let ω3_minus_ω4_squared = ω3_minus_ω4 * ω3_minus_ω4;
+        let t66 = t65 + p.ss * (ω3_cos_φ3_minus_φ4 * ω3_prime_minus_ω4_prime)
+            - p.ss * (ω3_sin_φ3_minus_φ4 * ω3_minus_ω4_squared);
+        let t67 = t66 + p.zt * (t59 * ω_δ_prime)
+            + p.zt * (ω_δ * cos_φ4_minus_δ * t60);
+        let t68 = p.per_zt
+            * (per_sin_φ4_minus_δ * (t67 - p.zt * (sin_φ4_minus_δ * ω_δ * t61)));
+        let dω_δ_prime_dβ = p.per_zt * (t63 * t19) - t68;
+        let t69 = (p.C4 * (ω_δ_prime * ω_δ_prime)
             + p.C4 * (ω_δ * dω_δ_prime_dβ)) * 2.0;
-        let t77 = (sin_φ6_minus_φ7 * sin_φ6_minus_φ7).recip() * t28
+        let t70 = p.ss * (sin_φ3_minus_φ7 * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * t21 * cos_φ3_minus_φ7);
+        let t71 = t70 + p.ss * (ω3 * cos_φ3_minus_φ7 * (ω3_prime + t27))
+            - p.ss * (ω3 * sin_φ3_minus_φ7 * (t21 * t21));
+        let t72 = t23 * cos_φ6_minus_φ7;
+        let t73 = ω6_prime + t27;
+        let t74 = t71 - p.zf * (t72 * ω6_prime)
+            - p.zf * (ω6 * cos_φ6_minus_φ7 * t73);
+        let t75 = t23 * t23;
+        let t76 = p.per_zf
+            * (per_sin_φ6_minus_φ7 * (t74 + p.zf * (sin_φ6_minus_φ7 * ω6 * t75)));
+        let t77 = (sin_φ6_minus_φ7 * sin_φ6_minus_φ7).recip() * t23
             * cos_φ6_minus_φ7;
-        let t78 = p.rr * (sin_β_minus_φ7 * (ω7_minus_one * ω7_minus_one))
-            + p.rr * (cos_β_minus_φ7 * ω7_prime);
-        let t79 = t78 + p.d * (sin_φ2_minus_φ7 * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * t27 * cos_φ2_minus_φ7);
-        let t80 = t79 + p.d * (ω2 * cos_φ2_minus_φ7 * (ω2_prime - ω7_prime))
-            - p.d * (ω2_sin_φ2_minus_φ7 * (t27 * t27));
-        let t81 = t28 * cos_φ6_minus_φ7;
-        let ω6_prime_minus_ω7_prime = ω6_prime - ω7_prime;
-        let t82 = t80 + p.zf * (t81 * ω6_prime)
-            + p.zf * (ω6 * cos_φ6_minus_φ7 * ω6_prime_minus_ω7_prime);
-        let t83 = t28 * t28;
-        let t84 = p.per_zf
-            * (per_sin_φ6_minus_φ7 * (t82 - p.zf * (sin_φ6_minus_φ7 * ω6 * t83)));
-        let dω6_prime_dβ = p.per_zf * (t77 * t29) - t84;
-        let t85 = t70 + t76
+        let dω6_prime_dβ = t76 - p.per_zf * (t77 * t24);
+        let t78 = t64 + t69
             + (p.C5 * (ω6_prime * ω6_prime) + p.C5 * (ω6 * dω6_prime_dβ)) * 2.0;
-        let t86 = p.rr * (sin_β_minus_φ6 * (ω6_minus_one * ω6_minus_one))
-            + p.rr * (ω6_prime * cos_β_minus_φ6);
-        let t87 = t86 + p.d * (sin_φ2_minus_φ6 * dω2_prime_dβ)
-            + p.two_d * (ω2_prime * ω2_minus_ω6 * cos_φ2_minus_φ6);
-        let t88 = t87 + p.d * (ω2 * cos_φ2_minus_φ6 * (t30 - t16))
-            - p.d * (ω2_sin_φ2_minus_φ6 * (ω2_minus_ω6 * ω2_minus_ω6));
-        let t89 = t88 - p.u * (t81 * ω7_prime)
-            - p.u * (ω7 * cos_φ6_minus_φ7 * ω6_prime_minus_ω7_prime);
-        let t90 = p.per_u
-            * (per_sin_φ6_minus_φ7 * (t89 + p.u * (sin_φ6_minus_φ7 * ω7 * t83)));
-        let dω7_prime_dβ = t90 - p.per_u * (t77 * t32);
-        let t91 = t85
+        let t79 = p.ss * (sin_φ3_minus_φ6 * dω3_prime_dβ)
+            + p.two_ss * (ω3_prime * ω3_minus_ω6 * cos_φ3_minus_φ6);
+        let ω3_cos_φ3_minus_φ6 = ω3 * cos_φ3_minus_φ6;
+        let ω3_prime_minus_ω6_prime = ω3_prime - ω6_prime;
+        let ω3_minus_ω6_squared = ω3_minus_ω6 * ω3_minus_ω6;
+        let t80 = t79 + p.ss * (ω3_cos_φ3_minus_φ6 * ω3_prime_minus_ω6_prime)
+            - p.ss * (ω3_sin_φ3_minus_φ6 * ω3_minus_ω6_squared);
+        let t81 = t80 + p.u * (t72 * ω7_prime) + p.u * (ω7 * cos_φ6_minus_φ7 * t73);
+        let t82 = p.per_u
+            * (per_sin_φ6_minus_φ7 * (t81 - p.u * (sin_φ6_minus_φ7 * ω7 * t75)));
+        let dω7_prime_dβ = p.per_u * (t77 * t26) - t82;
+        let t83 = t78
             + (p.C6 * (ω7_prime * ω7_prime) + p.C6 * (ω7 * dω7_prime_dβ)) * 2.0;
-        let t92 = t91 + p.C7 * (cos_β_minus_φ2 * dω2_prime_dβ)
+        let t84 = t83 + p.C7 * (cos_β_minus_φ2 * dω2_prime_dβ)
             + p.two_C7 * (sin_β_minus_φ2 * ω2_prime * ω2_minus_one);
-        let t93 = t92 + p.C7 * (sin_β_minus_φ2_ω2 * ω2_prime)
+        let t85 = t84 + p.C7 * (sin_β_minus_φ2_ω2 * ω2_prime)
             - p.C7 * (ω2_cos_β_minus_φ2 * ω2_minus_one_squared);
-        let t94 = t93 + p.C8 * (ω4 * cos_φ3_minus_φ4 * dω3_prime_dβ)
+        let t86 = t85 + p.C8 * (ω4 * cos_φ3_minus_φ4 * dω3_prime_dβ)
             + p.two_C8 * (ω3_prime * ω4_prime * cos_φ3_minus_φ4);
-        let t95 = t94 - p.two_C8 * (ω3_prime_ω4 * ω3_minus_ω4 * sin_φ3_minus_φ4)
-            + p.C8 * (ω3 * cos_φ3_minus_φ4 * dω4_prime_dβ);
-        let t96 = t95 - p.two_C8 * (ω3_ω4_prime * ω3_minus_ω4 * sin_φ3_minus_φ4)
-            - p.C8 * (ω3_ω4 * sin_φ3_minus_φ4 * (ω3_prime + t22));
-        let t97 = t96
-            - p.C8 * (ω3_ω4_cos_φ3_minus_φ4 * (ω3_minus_ω4 * ω3_minus_ω4))
+        let t87 = t86 - p.two_C8 * (ω3_prime_sin_φ3_minus_φ4 * ω4 * ω3_minus_ω4)
+            + p.C8 * (ω3_cos_φ3_minus_φ4 * dω4_prime_dβ);
+        let t88 = t87 - p.two_C8 * (ω3_sin_φ3_minus_φ4 * ω4_prime * ω3_minus_ω4)
+            - p.C8 * (ω3_ω4 * ω3_minus_ω4_squared * cos_φ3_minus_φ4);
+        let t89 = t88 - p.C8 * (ω3_sin_φ3_minus_φ4_ω4 * ω3_prime_minus_ω4_prime)
             + p.C9 * (ω6 * cos_φ3_minus_φ6 * dω3_prime_dβ);
-        let t98 = t97 + p.two_C9 * (ω3_prime * ω6_prime * cos_φ3_minus_φ6)
-            - p.two_C9 * (ω3_prime_ω6 * ω3_minus_ω6 * sin_φ3_minus_φ6);
-        let t99 = t98 + p.C9 * (ω3 * cos_φ3_minus_φ6 * dω6_prime_dβ)
-            - p.two_C9 * (ω3_ω6_prime * ω3_minus_ω6 * sin_φ3_minus_φ6);
-        let ddA_dβ_dβ = t99 - p.C9 * (ω3_ω6 * sin_φ3_minus_φ6 * (ω3_prime + t30))
-            - p.C9 * (ω3_ω6_cos_φ3_minus_φ6 * (ω3_minus_ω6 * ω3_minus_ω6));
+        let t90 = t89 + p.two_C9 * (ω3_prime * ω6_prime * cos_φ3_minus_φ6)
+            - p.two_C9 * (ω3_prime_sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6);
+        let t91 = t90 + p.C9 * (ω3_cos_φ3_minus_φ6 * dω6_prime_dβ)
+            - p.two_C9 * (ω3_sin_φ3_minus_φ6 * ω6_prime * ω3_minus_ω6);
+        let ddA_dβ_dβ = t91
+            - p.C9 * (ω3_ω6 * ω3_minus_ω6_squared * cos_φ3_minus_φ6)
+            - p.C9 * (ω3_sin_φ3_minus_φ6_ω6 * ω3_prime_minus_ω6_prime);
         // ── state ──
         let dβ_squared = dβ * dβ;
-        let t100 = (A * A).recip() * dA_dβ
+        let t92 = (A * A).recip() * dA_dβ
             * (dP_s_dβ - p.mom + dA_dβ * 0.5 * dβ_squared);
-        let dddβ_dβ = t100 - per_A * (ddP_s_dβ_dβ + ddA_dβ_dβ * 0.5 * dβ_squared);
+        let dddβ_dβ = t92 - per_A * (ddP_s_dβ_dβ + ddA_dβ_dβ * 0.5 * dβ_squared);
         let dddβ_ddβ = -(per_A * dA_dβ * dβ);
         result[1] = T::from_f64(1.0);
         result[2] = dddβ_dβ;
@@ -1588,11 +1528,9 @@ pub mod andrews {
         let turn_lower_arm = d[5];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1602,73 +1540,72 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
         // angle of `coupler`
         let φ2 = p.φ2_0 + φ2_minus_φ2_0;
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
-        let c3 = -(p.per_ss * (X1 - X1_κ1 + Y1_η1));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t3 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
+        let c3 = -t3;
+        let t4 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t3;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t4 = per_D2
+        let t5 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_ε2 * t4;
+        let η2 = p.half_ε2 * t5;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let t5 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let t6 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `upper` from the assembled one
-        let φ4_minus_φ4_0 = t5.unwrap_to(turn_upper);
+        let φ4_minus_φ4_0 = t6.unwrap_to(turn_upper);
         // angle of `upper`
         let φ4 = p.φ4_0 + φ4_minus_φ4_0;
         let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
-        let t6 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
+        let t7 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
             .atan2(p.c_δ_0 * c_δ + p.s_δ_0 * s_δ);
         // angle of `upper_arm` from the assembled one
-        let δ_minus_δ_0 = t6.unwrap_to(turn_upper_arm);
+        let δ_minus_δ_0 = t7.unwrap_to(turn_upper_arm);
         // angle of `upper_arm`
         let δ = p.δ_0 + δ_minus_δ_0;
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t7 = per_D2
+        let t8 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t7;
+        let η3 = p.half_ε3 * t8;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
         let Y2_η3 = Y2 * η3;
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t8 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let t9 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t8.unwrap_to(turn_lower);
+        let φ6_minus_φ6_0 = t9.unwrap_to(turn_lower);
         // angle of `lower`
         let φ6 = p.φ6_0 + φ6_minus_φ6_0;
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t9 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        let t10 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
         // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t9.unwrap_to(turn_lower_arm);
+        let φ7_minus_φ7_0 = t10.unwrap_to(turn_lower_arm);
         // angle of `lower_arm`
         let φ7 = p.φ7_0 + φ7_minus_φ7_0;
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
@@ -1680,33 +1617,21 @@ pub mod andrews {
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -(p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2));
         let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
-        let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
-        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
-        let t10 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
+        let ω3_per_sin_φ4_minus_δ = ω3 * sin_φ4_minus_δ.recip();
+        let sin_φ3_minus_δ = s3 * c_δ - c3 * s_δ;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t10;
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t11 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω_δ = -(p.per_zt * t11);
+        let ω_δ = -(p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4));
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
-        let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t12 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * sin_φ6_minus_φ7.recip();
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t12;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t13 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -(p.per_u * t13);
+        let ω7 = -(p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6));
         // ── state ──
         let coupler_rate = ω2 * dβ;
         let lever_rate = ω3 * dβ;
@@ -1744,11 +1669,9 @@ pub mod andrews {
         let turn_lever = d[1];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1758,13 +1681,12 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
-        let c3 = -(p.per_ss * (X1 - X1_κ1 + Y1_η1));
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let t2 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
+        let c3 = -t2;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
         let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
         let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
@@ -1774,17 +1696,17 @@ pub mod andrews {
         let sin_β_minus_φ2 = sin_β * c2 - cos_β * s2;
         // rate of the angle of `lever` per unit rate of `crank`
         let ω3 = -(p.rr_per_ss * (per_sin_φ2_minus_φ3 * sin_β_minus_φ2));
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t2;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t2 = per_D2
+        let t3 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_ε2 * t2;
+        let η2 = p.half_ε2 * t3;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
@@ -1793,26 +1715,20 @@ pub mod andrews {
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
         let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let sin_φ4_minus_δ = s4 * c_δ - c4 * s_δ;
-        let per_sin_φ4_minus_δ = sin_φ4_minus_δ.recip();
-        let sin_β_minus_δ = sin_β * c_δ - cos_β * s_δ;
-        let sin_φ2_minus_δ = s2 * c_δ - c2 * s_δ;
-        let t3 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_δ - p.d * (ω2 * sin_φ2_minus_δ));
+        let ω3_per_sin_φ4_minus_δ = ω3 * sin_φ4_minus_δ.recip();
+        let sin_φ3_minus_δ = s3 * c_δ - c3 * s_δ;
         // rate of the angle of `upper` per unit rate of `crank`
-        let ω4 = p.per_e * t3;
-        let sin_β_minus_φ4 = sin_β * c4 - cos_β * s4;
-        let sin_φ2_minus_φ4 = s2 * c4 - c2 * s4;
-        let t4 = per_sin_φ4_minus_δ
-            * (p.rr * sin_β_minus_φ4 - p.d * (ω2 * sin_φ2_minus_φ4));
+        let ω4 = p.ss_per_e * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_δ);
+        let sin_φ3_minus_φ4 = s3 * c4 - c3 * s4;
         // rate of the angle of `upper_arm` per unit rate of `crank`
-        let ω_δ = -(p.per_zt * t4);
-        let t5 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
+        let ω_δ = -(p.ss_per_zt * (ω3_per_sin_φ4_minus_δ * sin_φ3_minus_φ4));
+        let t4 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω4 * ω4)
             + p.C4 * (ω_δ * ω_δ);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t6 = per_D2
+        let t5 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t6;
+        let η3 = p.half_ε3 * t5;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1821,54 +1737,48 @@ pub mod andrews {
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let sin_φ6_minus_φ7 = s6 * c7 - c6 * s7;
-        let per_sin_φ6_minus_φ7 = sin_φ6_minus_φ7.recip();
-        let sin_β_minus_φ7 = sin_β * c7 - cos_β * s7;
-        let sin_φ2_minus_φ7 = s2 * c7 - c2 * s7;
-        let t7 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ7 - p.d * (ω2 * sin_φ2_minus_φ7));
+        let ω3_per_sin_φ6_minus_φ7 = ω3 * sin_φ6_minus_φ7.recip();
+        let sin_φ3_minus_φ7 = s3 * c7 - c3 * s7;
         // rate of the angle of `lower` per unit rate of `crank`
-        let ω6 = p.per_zf * t7;
-        let sin_β_minus_φ6 = sin_β * c6 - cos_β * s6;
-        let sin_φ2_minus_φ6 = s2 * c6 - c2 * s6;
-        let t8 = per_sin_φ6_minus_φ7
-            * (p.rr * sin_β_minus_φ6 - p.d * (ω2 * sin_φ2_minus_φ6));
+        let ω6 = p.ss_per_zf * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ7);
+        let sin_φ3_minus_φ6 = s3 * c6 - c3 * s6;
         // rate of the angle of `lower_arm` per unit rate of `crank`
-        let ω7 = -(p.per_u * t8);
+        let ω7 = -(p.ss_per_u * (ω3_per_sin_φ6_minus_φ7 * sin_φ3_minus_φ6));
         let cos_β_minus_φ2 = cos_β * c2 + sin_β * s2;
-        let t9 = t5 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
+        let t6 = t4 + p.C5 * (ω6 * ω6) + p.C6 * (ω7 * ω7)
             + p.C7 * (ω2 * cos_β_minus_φ2);
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
         let cos_φ3_minus_φ6 = c3 * c6 + s3 * s6;
         // inertia
-        let A = t9 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
+        let A = t6 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
             + p.C9 * (ω3 * ω6 * cos_φ3_minus_φ6);
-        let t10 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t7 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t10.unwrap_to(turn_lever);
+        let φ3_minus_φ3_0 = t7.unwrap_to(turn_lever);
         // angle of `lever`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_plus_φ3_0 = (φ3 + p.φ3_0) * 0.5;
         let (sin_half_φ3_plus_φ3_0, cos_half_φ3_plus_φ3_0) = half_φ3_plus_φ3_0
             .sin_cos();
         let sin_half_φ3_0_minus_φ3 = ((p.φ3_0 - φ3) * 0.5).sin();
-        let t11 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
+        let t8 = sin_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0;
         // change of Δx_pull
-        let δx_pull = p.sc * t11
+        let δx_pull = p.sc * t8
             + p.sd * (cos_half_φ3_plus_φ3_0 * sin_half_φ3_0_minus_φ3 * 2.0);
         // from end to end of `pull`
         let Δx_pull = p.Δx_pull_0 + δx_pull;
         // change of Δy_pull
         let δy_pull = p.sc
             * (cos_half_φ3_plus_φ3_0 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
-            + p.sd * t11;
+            + p.sd * t8;
         // from end to end of `pull`
         let Δy_pull = p.Δy_pull_0 + δy_pull;
-        let t12 = δx_pull * (p.Δx_pull_0 + Δx_pull)
+        let t9 = δx_pull * (p.Δx_pull_0 + Δx_pull)
             + δy_pull * (p.Δy_pull_0 + Δy_pull);
         // length of `pull`
         let L_pull = (Δx_pull * Δx_pull + Δy_pull * Δy_pull).sqrt();
         // extension of `pull`
-        let e_pull = p.L_pull_0_minus_l0 + t12 * (p.L_pull_0 + L_pull).recip();
+        let e_pull = p.L_pull_0_minus_l0 + t9 * (p.L_pull_0 + L_pull).recip();
         result[0] = A * 0.5 * (dβ * dβ);
         result[1] = p.half_c0 * (e_pull * e_pull);
         result[2] = T::from_f64(0.0);
@@ -1897,20 +1807,19 @@ pub mod andrews {
         let β = x[0];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_cos_β = p.rr * cos_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
+        let X1 = p.xb - p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let t1 = (D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared);
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * (p.per_d * (X1 * κ1 - Y1 * η1));
-        let Y2 = p.ya - rr_sin_β - p.d * (p.per_d * (Y1 * κ1 + X1 * η1));
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * (p.per_ss * (X1 - X1 * κ1 + Y1 * η1));
+        let s3 = p.per_ss * (Y1 * κ1 - Y1 + X1 * η1);
+        let Y2 = p.ya_minus_yb - p.ss * s3;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let t2 = p.constant5
@@ -1940,11 +1849,9 @@ pub mod andrews {
         let turn_lower_arm = d[5];
         // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
-        let rr_sin_β = p.rr * sin_β;
-        let Y1 = p.yb - rr_sin_β;
-        let rr_cos_β = p.rr * cos_β;
+        let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - rr_cos_β;
+        let X1 = p.xb - p.rr * cos_β;
         // its length squared
         let D1 = X1 * X1 + Y1 * Y1;
         let per_D1 = D1.recip();
@@ -1954,63 +1861,62 @@ pub mod andrews {
             * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
         let η1 = p.half_ε1 * t1;
         let X1_η1 = X1 * η1;
-        let per_d_Y1_κ1_plus_X1_η1 = p.per_d * (Y1_κ1 + X1_η1);
-        let s2 = -per_d_Y1_κ1_plus_X1_η1;
+        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
         let Y1_η1 = Y1 * η1;
-        let per_d_X1_κ1_minus_Y1_η1 = p.per_d * (X1_κ1 - Y1_η1);
-        let c2 = -per_d_X1_κ1_minus_Y1_η1;
+        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
         let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
         let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
         let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
-        let c3 = -(p.per_ss * (X1 - X1_κ1 + Y1_η1));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t3 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
+        let c3 = -t3;
+        let t4 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_lever);
-        let Y2 = p.ya - rr_sin_β - p.d * per_d_Y1_κ1_plus_X1_η1;
-        // vector that is left to close crank–coupler–upper–upper_arm
-        let X2 = p.xa - rr_cos_β - p.d * per_d_X1_κ1_minus_Y1_η1;
+        let φ3_minus_φ3_0 = t4.unwrap_to(turn_lever);
+        let Y2 = p.ya_minus_yb - p.ss * s3;
+        // vector that is left to close lever–upper–upper_arm
+        let X2 = p.xa_minus_xb + p.ss * t3;
         // its length squared
         let D2 = X2 * X2 + Y2 * Y2;
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t4 = per_D2
+        let t5 = per_D2
             * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_ε2 * t4;
+        let η2 = p.half_ε2 * t5;
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
         let Y2_η2 = Y2 * η2;
         let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let t5 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        let t6 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
         // angle of `upper` from the assembled one
-        let φ4_minus_φ4_0 = t5.unwrap_to(turn_upper);
+        let φ4_minus_φ4_0 = t6.unwrap_to(turn_upper);
         let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
         let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
-        let t6 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
+        let t7 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
             .atan2(p.c_δ_0 * c_δ + p.s_δ_0 * s_δ);
         // angle of `upper_arm` from the assembled one
-        let δ_minus_δ_0 = t6.unwrap_to(turn_upper_arm);
+        let δ_minus_δ_0 = t7.unwrap_to(turn_upper_arm);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t7 = per_D2
+        let t8 = per_D2
             * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t7;
+        let η3 = p.half_ε3 * t8;
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
         let Y2_η3 = Y2 * η3;
         let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t8 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let t9 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t8.unwrap_to(turn_lower);
+        let φ6_minus_φ6_0 = t9.unwrap_to(turn_lower);
         let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
         let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t9 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        let t10 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
         // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t9.unwrap_to(turn_lower_arm);
+        let φ7_minus_φ7_0 = t10.unwrap_to(turn_lower_arm);
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
         result[2] = φ4_minus_φ4_0;
@@ -2131,8 +2037,8 @@ pub mod andrews {
         fn loop_name(&self, index: usize) -> &str {
             const NAMES: [&str; 3] = [
                 "crank–coupler–lever",
-                "crank–coupler–upper–upper_arm",
-                "crank–coupler–lower–lower_arm",
+                "lever–upper–upper_arm",
+                "lever–lower–lower_arm",
             ];
             NAMES[index]
         }
@@ -2973,7 +2879,7 @@ pub mod andrews {
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–upper–upper_arm cannot close: at `crank` angle {3} the gap is {0}",
+                "the loop lever–upper–upper_arm cannot close: the gap is {0}",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -2990,11 +2896,11 @@ pub mod andrews {
                 ),
             }),
             related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–upper–upper_arm stands at a dead point: at `crank` angle {3} the joints of `upper` and `upper_arm` lie in one line",
+                "the loop lever–upper–upper_arm stands at a dead point: the joints of `upper` and `upper_arm` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -3011,11 +2917,11 @@ pub mod andrews {
                 ),
             }),
             related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lower–lower_arm cannot close: at `crank` angle {3} the gap is {0}",
+                "the loop lever–lower–lower_arm cannot close: the gap is {0}",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -3032,11 +2938,11 @@ pub mod andrews {
                 ),
             }),
             related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed(
-                "the loop crank–coupler–lower–lower_arm stands at a dead point: at `crank` angle {3} the joints of `lower` and `lower_arm` lie in one line",
+                "the loop lever–lower–lower_arm stands at a dead point: the joints of `lower` and `lower_arm` lie in one line",
             ),
             hint: Some(
                 Cow::Borrowed(
@@ -3053,7 +2959,7 @@ pub mod andrews {
                 ),
             }),
             related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre, Unit::Degree]),
+            units: Cow::Borrowed(&[Unit::Metre, Unit::Metre, Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed("`crank` can move but has no mass"),
@@ -3108,13 +3014,13 @@ Loop crank–coupler–lever
   ω2' = (rr (ω3 - 1) cos(β - φ3) + d ω2 (ω2 - ω3) cos(φ2 - φ3)) / (d sin(φ3 - φ2))
   ω3' = (rr (ω2 - 1) cos(β - φ2) + ss ω3 (ω3 - ω2) cos(φ2 - φ3)) / (ss sin(φ2 - φ3))
 
-Loop crank–coupler–upper–upper_arm
-──────────────────────────────────
+Loop lever–upper–upper_arm
+──────────────────────────
 
-  rr e^(i β) - d e^(i φ2) - e e^(i φ4) - zt e^(i δ) - i ya - xa = 0
+  ss e^(i φ3) - e e^(i φ4) - zt e^(i δ) - (xa - xb) - i (ya - yb) = 0
 
-  X2  = xa - rr cos(β) + d cos(φ2)
-  Y2  = ya - rr sin(β) + d sin(φ2)
+  X2  = xa - xb - ss cos(φ3)
+  Y2  = ya - yb - ss sin(φ3)
   D2  = X2² + Y2²
   κ2  = (D2 + e² - zt²) / (2 D2)
   η2  = ε2 sqrt((D2 - (e - zt)²) ((e + zt)² - D2)) / (2 D2)
@@ -3126,20 +3032,20 @@ Loop crank–coupler–upper–upper_arm
   φ4 = atan2(s4, c4), δ = atan2(s_δ, c_δ), continuous over many turns; ⁰: as assembled
   ω4 = dφ4/dβ, ω_δ = dδ/dβ, ' = d/dβ
 
-  ω4   = (rr sin(β - δ) + d ω2 sin(δ - φ2)) / (e sin(φ4 - δ))
-  ω_δ  = (rr sin(β - φ4) + d ω2 sin(φ4 - φ2)) / (zt sin(δ - φ4))
-  ω4'  = (rr (ω_δ - 1) cos(β - δ) + d ω2' sin(φ2 - δ) + d ω2 (ω2 - ω_δ) cos(φ2 - δ)
-           + e ω4 (ω4 - ω_δ) cos(φ4 - δ)) / (e sin(δ - φ4))
-  ω_δ' = (rr (ω4 - 1) cos(β - φ4) + d ω2' sin(φ2 - φ4) + d ω2 (ω2 - ω4) cos(φ2 - φ4)
-           + zt ω_δ (ω_δ - ω4) cos(φ4 - δ)) / (zt sin(φ4 - δ))
+  ω4   = ss ω3 sin(φ3 - δ) / (e sin(φ4 - δ))
+  ω_δ  = ss ω3 sin(φ4 - φ3) / (zt sin(φ4 - δ))
+  ω4'  = (ss ω3' sin(φ3 - δ) + ss ω3 (ω3 - ω_δ) cos(φ3 - δ) + e ω4 (ω_δ - ω4) cos(φ4 - δ))
+           / (e sin(φ4 - δ))
+  ω_δ' = (ss ω3' sin(φ3 - φ4) + ss ω3 (ω3 - ω4) cos(φ3 - φ4) + zt ω_δ (ω4 - ω_δ) cos(φ4 - δ))
+           / (zt sin(δ - φ4))
 
-Loop crank–coupler–lower–lower_arm
-──────────────────────────────────
+Loop lever–lower–lower_arm
+──────────────────────────
 
-  rr e^(i β) - d e^(i φ2) - zf e^(i φ6) - u e^(i φ7) - i ya - xa = 0
+  ss e^(i φ3) - zf e^(i φ6) - u e^(i φ7) - (xa - xb) - i (ya - yb) = 0
 
-  X3 = xa - rr cos(β) + d cos(φ2)
-  Y3 = ya - rr sin(β) + d sin(φ2)
+  X3 = xa - xb - ss cos(φ3)
+  Y3 = ya - yb - ss sin(φ3)
   D3 = X3² + Y3²
   κ3 = (D3 + zf² - u²) / (2 D3)
   η3 = ε3 sqrt((D3 - (zf - u)²) ((zf + u)² - D3)) / (2 D3)
@@ -3151,12 +3057,12 @@ Loop crank–coupler–lower–lower_arm
   φ6 = atan2(s6, c6), φ7 = atan2(s7, c7), continuous over many turns; ⁰: as assembled
   ω6 = dφ6/dβ, ω7 = dφ7/dβ, ' = d/dβ
 
-  ω6  = (rr sin(β - φ7) + d ω2 sin(φ7 - φ2)) / (zf sin(φ6 - φ7))
-  ω7  = (rr sin(β - φ6) + d ω2 sin(φ6 - φ2)) / (u sin(φ7 - φ6))
-  ω6' = (rr (ω7 - 1) cos(β - φ7) + d ω2' sin(φ2 - φ7) + d ω2 (ω2 - ω7) cos(φ2 - φ7)
-          + zf ω6 (ω6 - ω7) cos(φ6 - φ7)) / (zf sin(φ7 - φ6))
-  ω7' = (rr (ω6 - 1) cos(β - φ6) + d ω2' sin(φ2 - φ6) + d ω2 (ω2 - ω6) cos(φ2 - φ6)
-          + u ω7 (ω7 - ω6) cos(φ6 - φ7)) / (u sin(φ6 - φ7))
+  ω6  = ss ω3 sin(φ3 - φ7) / (zf sin(φ6 - φ7))
+  ω7  = ss ω3 sin(φ6 - φ3) / (u sin(φ6 - φ7))
+  ω6' = (ss ω3' sin(φ3 - φ7) + ss ω3 (ω3 - ω7) cos(φ3 - φ7) + zf ω6 (ω7 - ω6) cos(φ6 - φ7))
+          / (zf sin(φ6 - φ7))
+  ω7' = (ss ω3' sin(φ3 - φ6) + ss ω3 (ω3 - ω6) cos(φ3 - φ6) + u ω7 (ω6 - ω7) cos(φ6 - φ7))
+          / (u sin(φ7 - φ6))
 
 Constants of the inertia
 ────────────────────────
@@ -3271,11 +3177,11 @@ D_{1} &= X_{1}^{2} + Y_{1}^{2} \\
 \omega'_{3} &= \frac{\mathit{rr} \left(\omega_{2} - 1\right) \cos\left(\beta - \varphi_{2}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{2}\right) \cos\left(\varphi_{2} - \varphi_{3}\right)}{\mathit{ss} \sin\left(\varphi_{2} - \varphi_{3}\right)}
 \end{align*}
 
-\subsection*{Loop crank–coupler–upper–upper\_arm}
+\subsection*{Loop lever–upper–upper\_arm}
 \begin{align*}
-& \mathit{rr}\, e^{i \beta} - d\, e^{i \varphi_{2}} - e\, e^{i \varphi_{4}} - \mathit{zt}\, e^{i \delta} - i\,\mathit{ya} - \mathit{xa} = 0 \\
-X_{2} &= \mathit{xa} - \mathit{rr} \cos \beta + d \cos \varphi_{2} \\
-Y_{2} &= \mathit{ya} - \mathit{rr} \sin \beta + d \sin \varphi_{2} \\
+& \mathit{ss}\, e^{i \varphi_{3}} - e\, e^{i \varphi_{4}} - \mathit{zt}\, e^{i \delta} - \left(\mathit{xa} - \mathit{xb}\right) - i\,\left(\mathit{ya} - \mathit{yb}\right) = 0 \\
+X_{2} &= \mathit{xa} - \mathit{xb} - \mathit{ss} \cos \varphi_{3} \\
+Y_{2} &= \mathit{ya} - \mathit{yb} - \mathit{ss} \sin \varphi_{3} \\
 D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \kappa_{2} &= \frac{D_{2} + e^{2} - \mathit{zt}^{2}}{2 \, D_{2}} \\
 \eta_{2} &= \frac{\varepsilon_{2}}{2 \, D_{2}} \, \sqrt{\left(D_{2} - \left(e - \mathit{zt}\right)^{2}\right) \left(\left(e + \mathit{zt}\right)^{2} - D_{2}\right)} \\
@@ -3285,17 +3191,17 @@ D_{2} &= X_{2}^{2} + Y_{2}^{2} \\
 \sin \delta &= \frac{Y_{2} \, \kappa_{2} - Y_{2} + X_{2} \, \eta_{2}}{\mathit{zt}} \\
 & \varphi_{4} = \operatorname{atan2}(\sin \varphi_{4}, \cos \varphi_{4}),\quad \delta = \operatorname{atan2}(\sin \delta, \cos \delta) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 & \omega_{4} = \frac{\mathrm d\varphi_{4}}{\mathrm d\beta},\quad \omega_{\delta} = \frac{\mathrm d\delta}{\mathrm d\beta},\quad {}' = \frac{\mathrm d}{\mathrm d\beta} \\
-\omega_{4} &= \frac{\mathit{rr} \sin\left(\beta - \delta\right) + d \, \omega_{2} \sin\left(\delta - \varphi_{2}\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
-\omega_{\delta} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{4}\right) + d \, \omega_{2} \sin\left(\varphi_{4} - \varphi_{2}\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)} \\
-\omega'_{4} &= \frac{\mathit{rr} \left(\omega_{\delta} - 1\right) \cos\left(\beta - \delta\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \delta\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{\delta}\right) \cos\left(\varphi_{2} - \delta\right) + e \, \omega_{4} \left(\omega_{4} - \omega_{\delta}\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\delta - \varphi_{4}\right)} \\
-\omega'_{\delta} &= \frac{\mathit{rr} \left(\omega_{4} - 1\right) \cos\left(\beta - \varphi_{4}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{4}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{4}\right) \cos\left(\varphi_{2} - \varphi_{4}\right) + \mathit{zt} \, \omega_{\delta} \left(\omega_{\delta} - \omega_{4}\right) \cos\left(\varphi_{4} - \delta\right)}{\mathit{zt} \sin\left(\varphi_{4} - \delta\right)}
+\omega_{4} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{3} - \delta\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
+\omega_{\delta} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{4} - \varphi_{3}\right)}{\mathit{zt} \sin\left(\varphi_{4} - \delta\right)} \\
+\omega'_{4} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \delta\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{\delta}\right) \cos\left(\varphi_{3} - \delta\right) + e \, \omega_{4} \left(\omega_{\delta} - \omega_{4}\right) \cos\left(\varphi_{4} - \delta\right)}{e \sin\left(\varphi_{4} - \delta\right)} \\
+\omega'_{\delta} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \varphi_{4}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{4}\right) \cos\left(\varphi_{3} - \varphi_{4}\right) + \mathit{zt} \, \omega_{\delta} \left(\omega_{4} - \omega_{\delta}\right) \cos\left(\varphi_{4} - \delta\right)}{\mathit{zt} \sin\left(\delta - \varphi_{4}\right)}
 \end{align*}
 
-\subsection*{Loop crank–coupler–lower–lower\_arm}
+\subsection*{Loop lever–lower–lower\_arm}
 \begin{align*}
-& \mathit{rr}\, e^{i \beta} - d\, e^{i \varphi_{2}} - \mathit{zf}\, e^{i \varphi_{6}} - u\, e^{i \varphi_{7}} - i\,\mathit{ya} - \mathit{xa} = 0 \\
-X_{3} &= \mathit{xa} - \mathit{rr} \cos \beta + d \cos \varphi_{2} \\
-Y_{3} &= \mathit{ya} - \mathit{rr} \sin \beta + d \sin \varphi_{2} \\
+& \mathit{ss}\, e^{i \varphi_{3}} - \mathit{zf}\, e^{i \varphi_{6}} - u\, e^{i \varphi_{7}} - \left(\mathit{xa} - \mathit{xb}\right) - i\,\left(\mathit{ya} - \mathit{yb}\right) = 0 \\
+X_{3} &= \mathit{xa} - \mathit{xb} - \mathit{ss} \cos \varphi_{3} \\
+Y_{3} &= \mathit{ya} - \mathit{yb} - \mathit{ss} \sin \varphi_{3} \\
 D_{3} &= X_{3}^{2} + Y_{3}^{2} \\
 \kappa_{3} &= \frac{D_{3} + \mathit{zf}^{2} - u^{2}}{2 \, D_{3}} \\
 \eta_{3} &= \frac{\varepsilon_{3}}{2 \, D_{3}} \, \sqrt{\left(D_{3} - \left(\mathit{zf} - u\right)^{2}\right) \left(\left(\mathit{zf} + u\right)^{2} - D_{3}\right)} \\
@@ -3305,10 +3211,10 @@ D_{3} &= X_{3}^{2} + Y_{3}^{2} \\
 \sin \varphi_{7} &= \frac{Y_{3} \, \kappa_{3} - Y_{3} + X_{3} \, \eta_{3}}{u} \\
 & \varphi_{6} = \operatorname{atan2}(\sin \varphi_{6}, \cos \varphi_{6}),\quad \varphi_{7} = \operatorname{atan2}(\sin \varphi_{7}, \cos \varphi_{7}) \quad\text{(continuous over many turns; ${}^0$: as assembled)} \\
 & \omega_{6} = \frac{\mathrm d\varphi_{6}}{\mathrm d\beta},\quad \omega_{7} = \frac{\mathrm d\varphi_{7}}{\mathrm d\beta},\quad {}' = \frac{\mathrm d}{\mathrm d\beta} \\
-\omega_{6} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{7}\right) + d \, \omega_{2} \sin\left(\varphi_{7} - \varphi_{2}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
-\omega_{7} &= \frac{\mathit{rr} \sin\left(\beta - \varphi_{6}\right) + d \, \omega_{2} \sin\left(\varphi_{6} - \varphi_{2}\right)}{u \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
-\omega'_{6} &= \frac{\mathit{rr} \left(\omega_{7} - 1\right) \cos\left(\beta - \varphi_{7}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{7}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{7}\right) \cos\left(\varphi_{2} - \varphi_{7}\right) + \mathit{zf} \, \omega_{6} \left(\omega_{6} - \omega_{7}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{7} - \varphi_{6}\right)} \\
-\omega'_{7} &= \frac{\mathit{rr} \left(\omega_{6} - 1\right) \cos\left(\beta - \varphi_{6}\right) + d \, \omega'_{2} \sin\left(\varphi_{2} - \varphi_{6}\right) + d \, \omega_{2} \left(\omega_{2} - \omega_{6}\right) \cos\left(\varphi_{2} - \varphi_{6}\right) + u \, \omega_{7} \left(\omega_{7} - \omega_{6}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{u \sin\left(\varphi_{6} - \varphi_{7}\right)}
+\omega_{6} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{3} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
+\omega_{7} &= \frac{\mathit{ss} \, \omega_{3} \sin\left(\varphi_{6} - \varphi_{3}\right)}{u \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
+\omega'_{6} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \varphi_{7}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{7}\right) \cos\left(\varphi_{3} - \varphi_{7}\right) + \mathit{zf} \, \omega_{6} \left(\omega_{7} - \omega_{6}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{\mathit{zf} \sin\left(\varphi_{6} - \varphi_{7}\right)} \\
+\omega'_{7} &= \frac{\mathit{ss} \, \omega'_{3} \sin\left(\varphi_{3} - \varphi_{6}\right) + \mathit{ss} \, \omega_{3} \left(\omega_{3} - \omega_{6}\right) \cos\left(\varphi_{3} - \varphi_{6}\right) + u \, \omega_{7} \left(\omega_{6} - \omega_{7}\right) \cos\left(\varphi_{6} - \varphi_{7}\right)}{u \sin\left(\varphi_{7} - \varphi_{6}\right)}
 \end{align*}
 
 \subsection*{Constants of the inertia}

@@ -123,7 +123,7 @@ pub mod bridge_amplifier {
             let X1_0 = -l_cos_φ1_0;
             let t1 = l_squared - X1_0 * X1_0;
             let t2 = t1 / l_squared;
-            let t3 = l_squared_ma + I1 + I1;
+            let l_squared_ma_plus_two_I1 = l_squared_ma + I1 * 2.0;
             // distance of the centre of mass from the first end of lower_left
             let r1 = l * 0.5;
             let ma_r1_squared = ma * (r1 * r1);
@@ -131,37 +131,39 @@ pub mod bridge_amplifier {
             let r1_minus_l = r1 - l;
             let ma_r1_minus_l_squared = ma * (r1_minus_l * r1_minus_l);
             // constant of the inertia
-            let C0 = t3 + ma_r1_squared + l_squared_mb + ma_r1_minus_l_squared;
+            let C0 = l_squared_ma_plus_two_I1 + ma_r1_squared + l_squared_mb
+                + ma_r1_minus_l_squared;
             // constant of the inertia
-            let C1 = t3 + l_squared_mb + ma_r1_squared + ma_r1_minus_l_squared;
+            let C1 = l_squared_ma_plus_two_I1 + l_squared_mb + ma_r1_squared
+                + ma_r1_minus_l_squared;
             let height = l * rise.sin();
-            let t4 = rise + 3.141592653589793;
+            let t3 = rise + 3.141592653589793;
             let l_sin_φ1_0 = l * sin_φ1_0;
             // which way the loop closes: as drawn
-            let ε1 = (height * 2.0 - l * t4.sin() - l_sin_φ1_0).if_positive(1.0, -1.0);
+            let ε1 = (height * 2.0 - l * t3.sin() - l_sin_φ1_0).if_positive(1.0, -1.0);
             // position of `table` as assembled
             let x_table_0 = ε1 * t1.sqrt() + l_sin_φ1_0;
             let s3_0 = -((x_table_0 - l_sin_φ1_0) / l);
             let c3_0 = -(X1_0 / l);
             // angle of `upper_left` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t4);
+            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t3);
             let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
-            let sin_φ3_0_squared = sin_φ3_0 * sin_φ3_0;
+            // rate as assembled
+            let ω3_0 = sin_φ1_0 / sin_φ3_0;
             let φ1_0_minus_φ3_0 = φ1_0 - φ3_0;
             let (sin_φ1_0_minus_φ3_0, cos_φ1_0_minus_φ3_0) = φ1_0_minus_φ3_0
                 .sin_cos();
-            let t5 = l_squared * mo * (sin_φ1_0_minus_φ3_0 * sin_φ1_0_minus_φ3_0)
-                / sin_φ3_0_squared;
-            let two_l_ma_l_minus_r1 = l * ma * (l - r1) * 2.0;
+            // rate as assembled
+            let ν_table_0 = -(l * sin_φ1_0_minus_φ3_0 / sin_φ3_0);
             // constant of the inertia
-            let C2 = -(two_l_ma_l_minus_r1 + two_l_ma_l_minus_r1);
+            let C2 = -(l * ma * (l - r1) * 4.0);
             // inertia as assembled
-            let A_lower_left_0 = C0 + sin_φ1_0 * sin_φ1_0 * C1 / sin_φ3_0_squared + t5
-                + sin_φ1_0 * C2 * cos_φ1_0_minus_φ3_0 / sin_φ3_0;
-            let t6 = l_cos_φ1_0 + l * cos_φ3_0;
-            let t7 = l_sin_φ1_0 + l * sin_φ3_0;
-            let Δx_piezo_0 = -t6;
-            let Δy_piezo_0 = -t7;
+            let A_lower_left_0 = C0 + C1 * (ω3_0 * ω3_0)
+                + mo * (ν_table_0 * ν_table_0) + C2 * ω3_0 * cos_φ1_0_minus_φ3_0;
+            let t4 = l_cos_φ1_0 + l * cos_φ3_0;
+            let t5 = l_sin_φ1_0 + l * sin_φ3_0;
+            let Δx_piezo_0 = -t4;
+            let Δy_piezo_0 = -t5;
             // length of `piezo` as assembled
             let L_piezo_0 = (Δx_piezo_0 * Δx_piezo_0 + Δy_piezo_0 * Δy_piezo_0)
                 .sqrt();
@@ -177,50 +179,20 @@ pub mod bridge_amplifier {
             if !(mb >= 0.0) {
                 return Err(FAILURES[3].diagnostic(&[mb]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[4].diagnostic(&[l]));
-            }
-            if !(ma >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[ma]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[6].diagnostic(&[I1]));
-            }
-            if !(mb >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mb]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[8].diagnostic(&[l]));
-            }
-            if !(ma >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[ma]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[I1]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[11].diagnostic(&[l]));
-            }
-            if !(ma >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[ma]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[I1]));
-            }
             if !(mo >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[mo]));
+                return Err(FAILURES[4].diagnostic(&[mo]));
             }
             if !(t2 >= 0.0) {
-                return Err(FAILURES[15].diagnostic(&[X1_0.abs() - l, φ1_0]));
+                return Err(FAILURES[5].diagnostic(&[X1_0.abs() - l, φ1_0]));
             }
             if !(t2 - 1e-12 > 0.0) {
-                return Err(FAILURES[16].diagnostic(&[X1_0.abs() - l, φ1_0]));
+                return Err(FAILURES[6].diagnostic(&[X1_0.abs() - l, φ1_0]));
             }
             if !(f >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[f]));
+                return Err(FAILURES[7].diagnostic(&[f]));
             }
             if !(A_lower_left_0 > 0.0) {
-                return Err(FAILURES[18].diagnostic(&[]));
+                return Err(FAILURES[8].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [φ1_0, 0.0],
@@ -242,8 +214,8 @@ pub mod bridge_amplifier {
                 s3_0,
                 two_k: k * 2.0,
                 φ3_0,
-                constant1: t6,
-                constant2: t7,
+                constant1: t4,
+                constant2: t5,
                 constant3: f * 6.283185307179586,
                 L_piezo_0,
                 constant4: stroke * f * 6.283185307179586,
@@ -1050,7 +1022,7 @@ pub mod bridge_amplifier {
     static INPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(2).0;
     static TURNING: [usize; 1] = [0];
-    static FAILURES: [Failure; 19] = [
+    static FAILURES: [Failure; 9] = [
         Failure {
             message: Cow::Borrowed("the length of `lower_left` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1110,156 +1082,6 @@ pub mod bridge_amplifier {
             }),
             related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `lower_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 19,
-                column: 79,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower_right from O to B { length = l, angle = rise,           mass = ma, mass at B = mb, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upper_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 20,
-                column: 6,
-                width: 10,
-                excerpt: Cow::Borrowed(
-                    "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upper_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 20,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upper_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 20,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_left  from P to A { length = l, angle = 180 deg + rise, mass = ma, symbol = φ3 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upper_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 21,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upper_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 21,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upper_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("bridge_amplifier.flex"),
-                line: 21,
-                column: 68,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper_right from P to B { length = l, angle = -rise,          mass = ma, symbol = φ4 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
             message: Cow::Borrowed("the mass of `table` is {0}"),

@@ -124,21 +124,20 @@ pub mod double_parallelogram_stage {
             let I_frame = outer * outer * mf * 0.08333333333333333;
             // moment of inertia about the centre of mass of stage
             let I_stage = inner * inner * ms * 0.08333333333333333;
+            let two_I1 = I1 * 2.0;
             // distance of the centre of mass from the first end of left
             let r1 = l * 0.5;
-            let ml_r1_squared = ml * (r1 * r1);
-            let t1 = l_squared_ml * 2.0 + I1 + I1 + ml_r1_squared + ml_r1_squared
-                + l_squared * mf;
+            let two_ml_r1_squared = ml * (r1 * r1) * 2.0;
             let l_squared_ms = l_squared * ms;
             // constant of the inertia
-            let C0 = t1 + l_squared_ms;
+            let C0 = l_squared_ml * 2.0 + two_I1 + two_ml_r1_squared + l_squared * mf
+                + l_squared_ms;
             // inertia as assembled
             let A_inner_left_0 = l_squared_ml * 0.6666666666666666 + l_squared_ms;
             // constant of the inertia
-            let C1 = I1 + I1 + ml_r1_squared + ml_r1_squared + l_squared_ms;
-            let two_l_ml_r1 = l * ml * r1 * 2.0;
+            let C1 = two_I1 + two_ml_r1_squared + l_squared_ms;
             // constant of the inertia
-            let C2 = two_l_ml_r1 + two_l_ml_r1 + l_squared_ms * 2.0;
+            let C2 = l * ml * r1 * 4.0 + l_squared_ms * 2.0;
             // second moment of area
             let I = b * (h * (h * h)) * 0.08333333333333333;
             // stiffness at either end of a leaf
@@ -154,56 +153,29 @@ pub mod double_parallelogram_stage {
             if !(I1 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I1]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I1]));
-            }
             if !(outer > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[outer]));
+                return Err(FAILURES[3].diagnostic(&[outer]));
             }
             if !(mf >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mf]));
+                return Err(FAILURES[4].diagnostic(&[mf]));
             }
             if !(I_frame >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I_frame]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[9].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[I1]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[12].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[I1]));
+                return Err(FAILURES[5].diagnostic(&[I_frame]));
             }
             if !(inner > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[inner]));
+                return Err(FAILURES[6].diagnostic(&[inner]));
             }
             if !(ms >= 0.0) {
-                return Err(FAILURES[16].diagnostic(&[ms]));
+                return Err(FAILURES[7].diagnostic(&[ms]));
             }
             if !(I_stage >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[I_stage]));
+                return Err(FAILURES[8].diagnostic(&[I_stage]));
             }
             if !(C0 > 0.0) {
-                return Err(FAILURES[18].diagnostic(&[]));
+                return Err(FAILURES[9].diagnostic(&[]));
             }
             if !(A_inner_left_0 > 0.0) {
-                return Err(FAILURES[19].diagnostic(&[]));
+                return Err(FAILURES[10].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.5707963267948966, 0.0, -1.5707963267948966, 0.0],
@@ -221,6 +193,7 @@ pub mod double_parallelogram_stage {
                 margin,
                 half_C0: C0 * 0.5,
                 half_C1: C1 * 0.5,
+                two_k: k * 2.0,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -260,6 +233,8 @@ pub mod double_parallelogram_stage {
         pub half_C0: T,
         /// `0.5 * C1`
         pub half_C1: T,
+        /// `2.0 * k`
+        pub two_k: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -280,6 +255,7 @@ pub mod double_parallelogram_stage {
                 margin: turn(self.margin),
                 half_C0: turn(self.half_C0),
                 half_C1: turn(self.half_C1),
+                two_k: turn(self.two_k),
             }
         }
     }
@@ -455,15 +431,14 @@ pub mod double_parallelogram_stage {
         let t1 = φ1 - 1.5707963267948966;
         let t2 = T::from_f64(1.5707963267948966) - φ1;
         let t3 = φ2 + 1.5707963267948966;
-        let t4 = p.k * (t3 * t3);
         // ── state ──
-        let t5 = p.half_C0 * (dφ1 * dφ1) + p.half_C1 * (dφ2 * dφ2)
+        let t4 = p.half_C0 * (dφ1 * dφ1) + p.half_C1 * (dφ2 * dφ2)
             + M12 * (dφ1 * dφ2);
-        let t6 = (p.constant1 * t).sin() * (p.l * sin_φ1 * dφ1 + p.l * sin_φ2 * dφ2);
-        result[0] = t5;
-        result[1] = p.k * (t1 * t1) + p.k * (t2 * t2) + t4 + t4;
+        let t5 = (p.constant1 * t).sin() * (p.l * sin_φ1 * dφ1 + p.l * sin_φ2 * dφ2);
+        result[0] = t4;
+        result[1] = p.k * (t1 * t1) + p.k * (t2 * t2) + p.two_k * (t3 * t3);
         result[2] = T::from_f64(0.0);
-        result[3] = -(p.push * t6);
+        result[3] = -(p.push * t5);
     }
     /// Event functions: each event happens where its function rises through zero.
     #[inline(always)]
@@ -738,7 +713,7 @@ pub mod double_parallelogram_stage {
     static INPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(2).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 20] = [
+    static FAILURES: [Failure; 11] = [
         Failure {
             message: Cow::Borrowed("the length of `left` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -785,51 +760,6 @@ pub mod double_parallelogram_stage {
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
-            message: Cow::Borrowed("the length of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 21,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 21,
-                column: 66,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 21,
-                column: 66,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l,     angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
             message: Cow::Borrowed("the length of `frame` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
             site: Some(Site {
@@ -869,96 +799,6 @@ pub mod double_parallelogram_stage {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link frame from F1 to F2 { length = outer, angle =  0 deg,       mass = mf }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `inner_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 26,
-                column: 6,
-                width: 10,
-                excerpt: Cow::Borrowed(
-                    "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `inner_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 26,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `inner_left` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 26,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_left  from H1 to P1 { length = l,     angle = -90 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `inner_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 27,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `inner_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 27,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `inner_right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("double_parallelogram_stage.flex"),
-                line: 27,
-                column: 73,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link inner_right from H2 to P2 { length = l,     angle = -90 deg,       mass = ml }",
                 ),
             }),
             related: Cow::Borrowed(&[]),

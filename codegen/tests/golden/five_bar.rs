@@ -126,9 +126,8 @@ pub mod five_bar {
             let t2 = t1 * 0.25 / l2_squared_squared;
             // distance of the centre of mass from the first end of left_crank
             let r1 = l1 * 0.5;
-            let l1_squared_m2 = l1_squared * m2;
             // constant of the inertia
-            let C1 = I1 + m1 * (r1 * r1) + l1_squared_m2;
+            let C1 = I1 + m1 * (r1 * r1) + l1_squared * m2;
             // constant of the inertia
             let C0 = C1 + l1_squared * mt;
             // distance of the centre of mass from the first end of left_coupler
@@ -137,7 +136,6 @@ pub mod five_bar {
             let C3 = I3 + m2 * (r3 * r3);
             // constant of the inertia
             let C2 = C3 + l2_squared * mt;
-            let l1_squared_C2 = l1_squared * C2;
             let half_Y_0 = Y_0 * 0.5;
             let t3 = Y_0 * 0.9063077870366499;
             let t4 = (X_0 * 0.42261826174069944 - t3) / l2
@@ -152,33 +150,36 @@ pub mod five_bar {
             let c4_0 = -((half_X_0 + Y_0_η_0) / l2);
             // angle of `right_coupler` as assembled
             let φ4_0 = s4_0.atan2(c4_0).unwrap_to(2.705260340591211);
-            let t5 = (2.0943951023931953 - φ4_0).sin();
             let s3_0 = (half_Y_0 + X_0_η_0) / l2;
             let c3_0 = (half_X_0 - Y_0_η_0) / l2;
             // angle of `left_coupler` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(0.4363323129985824);
-            let sin_φ3_0_minus_φ4_0 = (φ3_0 - φ4_0).sin();
-            let t6 = l2_squared * (sin_φ3_0_minus_φ4_0 * sin_φ3_0_minus_φ4_0);
-            let l1_squared_C3 = l1_squared * C3;
-            let t7 = 2.0943951023931953 - φ3_0;
-            let (t8, t9) = t7.sin_cos();
+            let l2_sin_φ3_0_minus_φ4_0 = l2 * (φ3_0 - φ4_0).sin();
+            // rate as assembled
+            let ω3_1_0 = -(l1 * (2.0943951023931953 - φ4_0).sin()
+                / l2_sin_φ3_0_minus_φ4_0);
+            let t5 = 2.0943951023931953 - φ3_0;
+            let (t6, t7) = t5.sin_cos();
+            // rate as assembled
+            let ω4_1_0 = -(l1 * t6 / l2_sin_φ3_0_minus_φ4_0);
+            let l1_m2_r3 = l1 * m2 * r3;
             // constant of the inertia
-            let C5 = l1 * m2 * r3 * 2.0;
+            let C5 = l1_m2_r3 * 2.0;
             // constant of the inertia
             let C4 = C5 + l1 * l2 * mt * 2.0;
-            let l2_sin_φ3_0_minus_φ4_0 = l2 * sin_φ3_0_minus_φ4_0;
             // inertia as assembled
-            let A_left_crank_0 = C0 + l1_squared_C2 * (t5 * t5) / t6
-                + l1_squared_C3 * (t8 * t8) / t6
-                - l1 * C4 * t5 * t9 / l2_sin_φ3_0_minus_φ4_0;
-            let t10 = 1.0471975511965976 - φ4_0;
-            let (t11, t12) = t10.sin_cos();
-            let t13 = (1.0471975511965976 - φ3_0).sin();
-            let t14 = C1 + l1_squared_C2 * (t11 * t11) / t6
-                + l1_squared_C3 * (t13 * t13) / t6;
+            let A_left_crank_0 = C0 + C2 * (ω3_1_0 * ω3_1_0) + C3 * (ω4_1_0 * ω4_1_0)
+                + C4 * ω3_1_0 * t7;
+            let t8 = 1.0471975511965976 - φ4_0;
+            let (t9, t10) = t8.sin_cos();
+            // rate as assembled
+            let ω3_2_0 = l1 * t9 / l2_sin_φ3_0_minus_φ4_0;
+            // rate as assembled
+            let ω4_2_0 = l1 * (1.0471975511965976 - φ3_0).sin()
+                / l2_sin_φ3_0_minus_φ4_0;
             // inertia as assembled
-            let A_right_crank_0 = t14
-                + l1_squared_m2 * r3 * t13 * t12 * 2.0 / l2_sin_φ3_0_minus_φ4_0;
+            let A_right_crank_0 = C1 + C2 * (ω3_2_0 * ω3_2_0)
+                + C3 * (ω4_2_0 * ω4_2_0) + l1_m2_r3 * ω4_2_0 * t10 * 2.0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
             }
@@ -188,40 +189,22 @@ pub mod five_bar {
             if !(I1 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I1]));
             }
-            if !(l1 > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l1]));
-            }
-            if !(m1 >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[m1]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I1]));
-            }
             if !(l2 > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l2]));
+                return Err(FAILURES[3].diagnostic(&[l2]));
             }
             if !(m2 >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[m2]));
+                return Err(FAILURES[4].diagnostic(&[m2]));
             }
             if !(I3 >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I3]));
+                return Err(FAILURES[5].diagnostic(&[I3]));
             }
             if !(mt >= 0.0) {
-                return Err(FAILURES[9].diagnostic(&[mt]));
-            }
-            if !(l2 > 0.0) {
-                return Err(FAILURES[10].diagnostic(&[l2]));
-            }
-            if !(m2 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[m2]));
-            }
-            if !(I3 >= 0.0) {
-                return Err(FAILURES[12].diagnostic(&[I3]));
+                return Err(FAILURES[6].diagnostic(&[mt]));
             }
             if !(t2 >= 0.0) {
                 let sqrt_D_0 = D_0.sqrt();
                 return Err(
-                    FAILURES[13]
+                    FAILURES[7]
                         .diagnostic(
                             &[
                                 (sqrt_D_0 - l2 * 2.0).larger(-sqrt_D_0),
@@ -235,7 +218,7 @@ pub mod five_bar {
             if !(t2 - 1e-12 > 0.0) {
                 let sqrt_D_0_2 = D_0.sqrt();
                 return Err(
-                    FAILURES[14]
+                    FAILURES[8]
                         .diagnostic(
                             &[
                                 (sqrt_D_0_2 - l2 * 2.0).larger(-sqrt_D_0_2),
@@ -247,10 +230,10 @@ pub mod five_bar {
                 );
             }
             if !(A_left_crank_0 > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[]));
+                return Err(FAILURES[9].diagnostic(&[]));
             }
             if !(A_right_crank_0 > 0.0) {
-                return Err(FAILURES[16].diagnostic(&[]));
+                return Err(FAILURES[10].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [2.0943951023931953, 0.0, 1.0471975511965976, 0.0],
@@ -1601,7 +1584,7 @@ pub mod five_bar {
     static INPUTS: &[Variable] = VARIABLES.split_at(17).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(17).1.split_at(2).0;
     static TURNING: [usize; 2] = [0, 1];
-    static FAILURES: [Failure; 17] = [
+    static FAILURES: [Failure; 11] = [
         Failure {
             message: Cow::Borrowed("the length of `left_crank` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -1642,51 +1625,6 @@ pub mod five_bar {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link left_crank    from O1 to A { length = l1, angle = 120 deg exact, mass = m1, symbol = φ1 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `right_crank` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 16,
-                column: 6,
-                width: 11,
-                excerpt: Cow::Borrowed(
-                    "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right_crank` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 16,
-                column: 71,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right_crank` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 16,
-                column: 71,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_crank   from O2 to B { length = l1, angle =  60 deg exact, mass = m1, symbol = φ2 }",
                 ),
             }),
             related: Cow::Borrowed(&[]),
@@ -1751,51 +1689,6 @@ pub mod five_bar {
             }),
             related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `right_coupler` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 18,
-                column: 6,
-                width: 13,
-                excerpt: Cow::Borrowed(
-                    "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right_coupler` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 18,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right_coupler` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("five_bar.flex"),
-                line: 18,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right_coupler from B to P  { length = l2, angle = 155 deg, mass = m2, symbol = φ4 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
             message: Cow::Borrowed(

@@ -57,10 +57,9 @@ pub mod n_windows_1 {
             let I_upright0 = l_squared_m * 0.08333333333333333;
             // distance of the centre of mass from the first end of upright0
             let r_upright0 = l * 0.5;
-            let m_r_upright0_squared = m * (r_upright0 * r_upright0);
             // constant of the inertia
-            let C0 = l_squared_m + I_upright0 + I_upright0 + m_r_upright0_squared
-                + m_r_upright0_squared;
+            let C0 = l_squared_m + I_upright0 * 2.0
+                + m * (r_upright0 * r_upright0) * 2.0;
             if !(l > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l]));
             }
@@ -70,33 +69,15 @@ pub mod n_windows_1 {
             if !(I_upright0 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I_upright0]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[m]));
-            }
-            if !(I_upright0 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I_upright0]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[m]));
-            }
-            if !(I_upright0 >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I_upright0]));
-            }
             if !(C0 > 0.0) {
-                return Err(FAILURES[9].diagnostic(&[]));
+                return Err(FAILURES[3].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.5707963267948966, -1.0],
                 start_discretes: [],
                 l,
-                m_r_upright0: m * r_upright0,
                 l_m: l * m,
+                two_m_r_upright0: m * r_upright0 * 2.0,
                 per_C0: C0.recip(),
                 half_C0: C0 * 0.5,
             };
@@ -114,10 +95,10 @@ pub mod n_windows_1 {
         pub start_discretes: [T; 0],
         /// `l`
         pub l: T,
-        /// `m * r_upright0`
-        pub m_r_upright0: T,
         /// `l * m`
         pub l_m: T,
+        /// `2.0 * m * r_upright0`
+        pub two_m_r_upright0: T,
         /// `1.0 / C0`
         pub per_C0: T,
         /// `0.5 * C0`
@@ -130,8 +111,8 @@ pub mod n_windows_1 {
                 start_states: self.start_states.map(&turn),
                 start_discretes: self.start_discretes.map(&turn),
                 l: turn(self.l),
-                m_r_upright0: turn(self.m_r_upright0),
                 l_m: turn(self.l_m),
+                two_m_r_upright0: turn(self.two_m_r_upright0),
                 per_C0: turn(self.per_C0),
                 half_C0: turn(self.half_C0),
             }
@@ -151,9 +132,9 @@ pub mod n_windows_1 {
         let dφ_upright0 = x[1];
         // ── configuration ──
         let cos_φ_upright0 = φ_upright0.cos();
-        let t1 = p.m_r_upright0 * cos_φ_upright0;
         // slope of the potential energy of gravity
-        let dP_g_dφ_upright0 = (t1 + p.l_m * cos_φ_upright0 + t1) * 9.81;
+        let dP_g_dφ_upright0 = (p.two_m_r_upright0 * cos_φ_upright0
+            + p.l_m * cos_φ_upright0) * 9.81;
         let ddφ_upright0 = -(p.per_C0 * dP_g_dφ_upright0);
         dx[0] = dφ_upright0;
         dx[1] = ddφ_upright0;
@@ -171,8 +152,8 @@ pub mod n_windows_1 {
         let φ_upright0 = x[0];
         // ── configuration ──
         let sin_φ_upright0 = φ_upright0.sin();
-        let t1 = p.m_r_upright0 * sin_φ_upright0;
-        let t2 = -((t1 + p.l_m * sin_φ_upright0 + t1) * 9.81);
+        let t1 = (p.two_m_r_upright0 * sin_φ_upright0 + p.l_m * sin_φ_upright0) * 9.81;
+        let t2 = -t1;
         let t3 = -(p.per_C0 * t2);
         result[1] = T::from_f64(1.0);
         result[2] = t3;
@@ -215,9 +196,9 @@ pub mod n_windows_1 {
         let dφ_upright0 = x[1];
         // ── configuration ──
         let sin_φ_upright0 = φ_upright0.sin();
-        let t1 = p.m_r_upright0 * sin_φ_upright0;
+        let t1 = (p.two_m_r_upright0 * sin_φ_upright0 + p.l_m * sin_φ_upright0) * 9.81;
         result[0] = p.half_C0 * (dφ_upright0 * dφ_upright0);
-        result[1] = (t1 + p.l_m * sin_φ_upright0 + t1) * 9.81;
+        result[1] = t1;
         result[2] = T::from_f64(0.0);
         result[3] = T::from_f64(0.0);
     }
@@ -431,7 +412,7 @@ pub mod n_windows_1 {
     static INPUTS: &[Variable] = VARIABLES.split_at(4).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(4).1.split_at(4).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 10] = [
+    static FAILURES: [Failure; 4] = [
         Failure {
             message: Cow::Borrowed("the length of `upright0` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -472,96 +453,6 @@ pub mod n_windows_1 {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link upright0 from G0 to B0 { length = l, angle = 90 deg exact, mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `bar1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_1.flex"),
-                line: 15,
-                column: 6,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `bar1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_1.flex"),
-                line: 15,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `bar1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_1.flex"),
-                line: 15,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upright1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_1.flex"),
-                line: 16,
-                column: 6,
-                width: 8,
-                excerpt: Cow::Borrowed(
-                    "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upright1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_1.flex"),
-                line: 16,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upright1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_1.flex"),
-                line: 16,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
                 ),
             }),
             related: Cow::Borrowed(&[]),

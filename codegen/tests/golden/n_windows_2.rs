@@ -54,11 +54,9 @@ pub mod n_windows_2 {
             let I_upright0 = l_squared_m * 0.08333333333333333;
             // distance of the centre of mass from the first end of upright0
             let r_upright0 = l * 0.5;
-            let m_r_upright0_squared = m * (r_upright0 * r_upright0);
-            let t1 = l_squared_m * 2.0 + I_upright0 + I_upright0 + I_upright0
-                + m_r_upright0_squared;
             // constant of the inertia
-            let C0 = t1 + m_r_upright0_squared + m_r_upright0_squared;
+            let C0 = l_squared_m * 2.0 + I_upright0 * 3.0
+                + m * (r_upright0 * r_upright0) * 3.0;
             if !(l > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l]));
             }
@@ -68,51 +66,15 @@ pub mod n_windows_2 {
             if !(I_upright0 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I_upright0]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[m]));
-            }
-            if !(I_upright0 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I_upright0]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[l]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[m]));
-            }
-            if !(I_upright0 >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I_upright0]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[9].diagnostic(&[l]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[m]));
-            }
-            if !(I_upright0 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[I_upright0]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[12].diagnostic(&[l]));
-            }
-            if !(m >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[m]));
-            }
-            if !(I_upright0 >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[I_upright0]));
-            }
             if !(C0 > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[]));
+                return Err(FAILURES[3].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.5707963267948966, -1.0],
                 start_discretes: [],
                 l,
-                m_r_upright0: m * r_upright0,
                 two_l_m: l * m * 2.0,
+                _3_m_r_upright0: m * r_upright0 * 3.0,
                 per_C0: C0.recip(),
                 half_C0: C0 * 0.5,
             };
@@ -130,10 +92,10 @@ pub mod n_windows_2 {
         pub start_discretes: [T; 0],
         /// `l`
         pub l: T,
-        /// `m * r_upright0`
-        pub m_r_upright0: T,
         /// `2.0 * l * m`
         pub two_l_m: T,
+        /// `3.0 * m * r_upright0`
+        pub _3_m_r_upright0: T,
         /// `1.0 / C0`
         pub per_C0: T,
         /// `0.5 * C0`
@@ -146,8 +108,8 @@ pub mod n_windows_2 {
                 start_states: self.start_states.map(&turn),
                 start_discretes: self.start_discretes.map(&turn),
                 l: turn(self.l),
-                m_r_upright0: turn(self.m_r_upright0),
                 two_l_m: turn(self.two_l_m),
+                _3_m_r_upright0: turn(self._3_m_r_upright0),
                 per_C0: turn(self.per_C0),
                 half_C0: turn(self.half_C0),
             }
@@ -167,9 +129,9 @@ pub mod n_windows_2 {
         let dφ_upright0 = x[1];
         // ── configuration ──
         let cos_φ_upright0 = φ_upright0.cos();
-        let t1 = p.m_r_upright0 * cos_φ_upright0;
+        let t1 = p._3_m_r_upright0 * cos_φ_upright0 + p.two_l_m * cos_φ_upright0;
         // slope of the potential energy of gravity
-        let dP_g_dφ_upright0 = (t1 + p.two_l_m * cos_φ_upright0 + t1 + t1) * 9.81;
+        let dP_g_dφ_upright0 = t1 * 9.81;
         let ddφ_upright0 = -(p.per_C0 * dP_g_dφ_upright0);
         dx[0] = dφ_upright0;
         dx[1] = ddφ_upright0;
@@ -187,8 +149,8 @@ pub mod n_windows_2 {
         let φ_upright0 = x[0];
         // ── configuration ──
         let sin_φ_upright0 = φ_upright0.sin();
-        let t1 = p.m_r_upright0 * sin_φ_upright0;
-        let t2 = -((t1 + p.two_l_m * sin_φ_upright0 + t1 + t1) * 9.81);
+        let t1 = p._3_m_r_upright0 * sin_φ_upright0 + p.two_l_m * sin_φ_upright0;
+        let t2 = -(t1 * 9.81);
         let t3 = -(p.per_C0 * t2);
         result[1] = T::from_f64(1.0);
         result[2] = t3;
@@ -231,9 +193,9 @@ pub mod n_windows_2 {
         let dφ_upright0 = x[1];
         // ── configuration ──
         let sin_φ_upright0 = φ_upright0.sin();
-        let t1 = p.m_r_upright0 * sin_φ_upright0;
+        let t1 = p._3_m_r_upright0 * sin_φ_upright0 + p.two_l_m * sin_φ_upright0;
         result[0] = p.half_C0 * (dφ_upright0 * dφ_upright0);
-        result[1] = (t1 + p.two_l_m * sin_φ_upright0 + t1 + t1) * 9.81;
+        result[1] = t1 * 9.81;
         result[2] = T::from_f64(0.0);
         result[3] = T::from_f64(0.0);
     }
@@ -447,7 +409,7 @@ pub mod n_windows_2 {
     static INPUTS: &[Variable] = VARIABLES.split_at(4).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(4).1.split_at(4).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 16] = [
+    static FAILURES: [Failure; 4] = [
         Failure {
             message: Cow::Borrowed("the length of `upright0` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -494,186 +456,6 @@ pub mod n_windows_2 {
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
         },
         Failure {
-            message: Cow::Borrowed("the length of `bar1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 13,
-                column: 6,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `bar1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 13,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `bar1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 13,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar1     from B0 to B1 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upright1` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 14,
-                column: 6,
-                width: 8,
-                excerpt: Cow::Borrowed(
-                    "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upright1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 14,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upright1` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 14,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upright1 from G1 to B1 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `bar2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 15,
-                column: 6,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar2     from B1 to B2 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `bar2` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 15,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar2     from B1 to B2 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `bar2` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 15,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link bar2     from B1 to B2 { length = l, angle =  0 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upright2` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 16,
-                column: 6,
-                width: 8,
-                excerpt: Cow::Borrowed(
-                    "link upright2 from G2 to B2 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upright2` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 16,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upright2 from G2 to B2 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upright2` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("n_windows_2.flex"),
-                line: 16,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upright2 from G2 to B2 { length = l, angle = 90 deg,       mass = m }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
             message: Cow::Borrowed("`upright0` can move but has no mass"),
             hint: Some(
                 Cow::Borrowed(
@@ -707,8 +489,8 @@ Parallelogram upright0–bar1–upright1
   φ_bar1 = 0 (opposite sides are equal)
   φ_upright1 = φ_upright0 (opposite sides are equal)
 
-Parallelogram upright0–bar1–bar2–upright2
-─────────────────────────────────────────
+Parallelogram upright1–bar2–upright2
+────────────────────────────────────
 
   l e^(i φ_upright0) + l e^(i φ_bar2) - l e^(i φ_upright2) - l = 0
   φ_bar2 = 0 (opposite sides are equal)
@@ -764,7 +546,7 @@ through the positions in which all lie in one line.
 & \varphi_{\mathrm{upright1}} = \varphi_{\mathrm{upright0}} \quad\text{(opposite sides are equal)}
 \end{align*}
 
-\subsection*{Parallelogram upright0–bar1–bar2–upright2}
+\subsection*{Parallelogram upright1–bar2–upright2}
 \begin{align*}
 & l\, e^{i \varphi_{\mathrm{upright0}}} + l\, e^{i \varphi_{\mathrm{bar2}}} - l\, e^{i \varphi_{\mathrm{upright2}}} - l = 0 \\
 & \varphi_{\mathrm{bar2}} = 0 \quad\text{(opposite sides are equal)} \\

@@ -230,30 +230,30 @@ pub mod six_bar {
             let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / l3);
             // angle of `rocker` as assembled
             let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5184364492350666);
-            let t9 = (1.2217304763960306 - φ3_0).sin();
             let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
-            let t10 = sin_φ2_0_minus_φ3_0 * sin_φ2_0_minus_φ3_0;
+            // rate as assembled
+            let ω2_0 = -(l1 * (1.2217304763960306 - φ3_0).sin()
+                / (l2 * sin_φ2_0_minus_φ3_0));
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
-            let t11 = 1.2217304763960306 - φ2_0;
-            let (t12, t13) = t11.sin_cos();
-            let t14 = C0 + l1_squared * C1 * (t9 * t9) / (l2_squared * t10)
-                + l1_squared * C2 * (t12 * t12) / (l3_squared * t10);
+            let t9 = 1.2217304763960306 - φ2_0;
+            let (t10, t11) = t9.sin_cos();
+            // rate as assembled
+            let ω3_0 = -(l1 * t10 / (l3 * sin_φ2_0_minus_φ3_0));
             // distance of the centre of mass from the first end of connector
             let r5 = l5 * 0.5;
             let r5_minus_l5 = r5 - l5;
             // constant of the inertia
             let C3 = I5 + m5 * (r5_minus_l5 * r5_minus_l5);
-            let t15 = l1 * cx * t9;
-            let t16 = l5_squared - l6_squared;
-            let κ2_0 = (t16 + D2_0) * 0.5 / D2_0;
+            let t12 = l5_squared - l6_squared;
+            let κ2_0 = (t12 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ2_0 = Y2_0 * κ2_0;
-            let t17 = (X2_0 * 0.5877852522924731 - Y2_0 * 0.8090169943749475) / l5
+            let t13 = (X2_0 * 0.5877852522924731 - Y2_0 * 0.8090169943749475) / l5
                 + (X2_0 * 0.9335804264972017 + Y2_0 * 0.35836794954530027) / l6;
             // which way the loop closes: as drawn
-            let ε2 = t17.if_positive(1.0, -1.0);
+            let ε2 = t13.if_positive(1.0, -1.0);
             let η2_0 = ε2 * (-t7).sqrt() * 0.5 / D2_0;
             let X2_0_η2_0 = X2_0 * η2_0;
             let s6_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / l6;
@@ -262,15 +262,13 @@ pub mod six_bar {
             let c6_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / l6);
             // angle of `output_rocker` as assembled
             let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.9373154697137058);
+            let cx_ω2_0 = cx * ω2_0;
             let φ2_0_minus_φ6_0 = φ2_0 - φ6_0;
             let (sin_φ2_0_minus_φ6_0, cos_φ2_0_minus_φ6_0) = φ2_0_minus_φ6_0
                 .sin_cos();
-            let l2_sin_φ2_0_minus_φ3_0 = l2 * sin_φ2_0_minus_φ3_0;
-            let t18 = t15 * sin_φ2_0_minus_φ6_0 / l2_sin_φ2_0_minus_φ3_0
-                - l1 * (1.2217304763960306 - φ6_0).sin();
-            let l1_cy = l1 * cy;
-            let t19 = l1_cy * t9;
-            let t20 = t18 + t19 * cos_φ2_0_minus_φ6_0 / l2_sin_φ2_0_minus_φ3_0;
+            let t14 = l1 * (1.2217304763960306 - φ6_0).sin()
+                + cx_ω2_0 * sin_φ2_0_minus_φ6_0;
+            let cy_ω2_0 = cy * ω2_0;
             let s5_0 = (Y2_0_κ2_0 + X2_0_η2_0) / l5;
             let c5_0 = (X2_0_κ2_0 - Y2_0_η2_0) / l5;
             // angle of `connector` as assembled
@@ -278,7 +276,9 @@ pub mod six_bar {
             let φ5_0_minus_φ6_0 = φ5_0 - φ6_0;
             let (sin_φ5_0_minus_φ6_0, cos_φ5_0_minus_φ6_0) = φ5_0_minus_φ6_0
                 .sin_cos();
-            let t21 = sin_φ5_0_minus_φ6_0 * sin_φ5_0_minus_φ6_0;
+            // rate as assembled
+            let ω5_0 = -((t14 + cy_ω2_0 * cos_φ2_0_minus_φ6_0)
+                / (l5 * sin_φ5_0_minus_φ6_0));
             // distance of the centre of mass from the first end of output_rocker
             let r6 = l6 * 0.5;
             // constant of the inertia
@@ -286,22 +286,23 @@ pub mod six_bar {
             let φ2_0_minus_φ5_0 = φ2_0 - φ5_0;
             let (sin_φ2_0_minus_φ5_0, cos_φ2_0_minus_φ5_0) = φ2_0_minus_φ5_0
                 .sin_cos();
-            let t22 = t15 * sin_φ2_0_minus_φ5_0 / l2_sin_φ2_0_minus_φ3_0
-                - l1 * (1.2217304763960306 - φ5_0).sin();
-            let t23 = t22 + t19 * cos_φ2_0_minus_φ5_0 / l2_sin_φ2_0_minus_φ3_0;
-            let t24 = t14 + C3 * (t20 * t20) / (l5_squared * t21)
-                + C4 * (t23 * t23) / (l6_squared * t21);
+            let t15 = l1 * (1.2217304763960306 - φ5_0).sin()
+                + cx_ω2_0 * sin_φ2_0_minus_φ5_0;
+            // rate as assembled
+            let ω6_0 = -((t15 + cy_ω2_0 * cos_φ2_0_minus_φ5_0)
+                / (l6 * sin_φ5_0_minus_φ6_0));
+            let t16 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
+                + C3 * (ω5_0 * ω5_0) + C4 * (ω6_0 * ω6_0);
+            // constant of the inertia
+            let C5 = l1 * l2 * m2;
+            // constant of the inertia
+            let C6 = l1 * cy * m2 * 0.6666666666666666;
             let l5_minus_r5 = l5 - r5;
             // constant of the inertia
             let C7 = -(l6 * m5 * l5_minus_r5 * 2.0);
-            // constant of the inertia
-            let C5 = l1 * l2 * m2;
-            let t25 = t24 + C7 * t20 * t23 * cos_φ5_0_minus_φ6_0 / (l5 * l6 * t21)
-                - l1 * C5 * t9 * t13 / l2_sin_φ2_0_minus_φ3_0;
-            // constant of the inertia
-            let C6 = l1_cy * m2 * 0.6666666666666666;
             // inertia as assembled
-            let A_crank_0 = t25 - l1 * C6 * t9 * t12 / l2_sin_φ2_0_minus_φ3_0;
+            let A_crank_0 = t16 + C5 * ω2_0 * t11 + C6 * ω2_0 * t10
+                + C7 * ω5_0 * ω6_0 * cos_φ5_0_minus_φ6_0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
             }
@@ -441,7 +442,7 @@ pub mod six_bar {
                 l1_per_l3: l1 / l3,
                 r3,
                 C2,
-                constant2: t16,
+                constant2: t12,
                 l5_minus_l6_squared,
                 l5_plus_l6_squared,
                 s2_0,

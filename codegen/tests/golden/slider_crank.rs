@@ -128,8 +128,8 @@ pub mod slider_crank {
             let r_rod = l * 0.5;
             // constant of the inertia
             let C1 = I_rod + mr * (r_rod * r_rod);
-            let s_ψ_0 = Y_0 / l;
             let t3 = r * 0.25881904510252074;
+            let s_ψ_0 = Y_0 / l;
             // which way the loop closes: as drawn
             let ε = (l * 0.9659258262890683 + 0.052 - t3).if_positive(1.0, -1.0);
             // position of `piston` as assembled
@@ -138,16 +138,17 @@ pub mod slider_crank {
             // angle of `rod` as assembled
             let ψ_0 = s_ψ_0.atan2(c_ψ_0).unwrap_to(-0.2617993877991494);
             let cos_ψ_0 = ψ_0.cos();
-            let cos_ψ_0_squared = cos_ψ_0 * cos_ψ_0;
-            let t4 = r_squared * C1 * 0.06698729810778066
-                / (l_squared * cos_ψ_0_squared);
-            let t5 = 1.3089969389957472 - ψ_0;
-            let (t6, t7) = t5.sin_cos();
+            // rate as assembled
+            let ω_ψ_0 = -(t3 / (l * cos_ψ_0));
+            let t4 = 1.3089969389957472 - ψ_0;
+            let (t5, t6) = t4.sin_cos();
+            // rate as assembled
+            let ν_piston_0 = -(r * t5 / cos_ψ_0);
             // constant of the inertia
             let C2 = r * mr * r_rod * 2.0;
             // inertia as assembled
-            let A_crank_0 = C0 + t4 + r_squared * ms * (t6 * t6) / cos_ψ_0_squared
-                - r * C2 * t7 * 0.25881904510252074 / (l * cos_ψ_0);
+            let A_crank_0 = C0 + C1 * (ω_ψ_0 * ω_ψ_0)
+                + ms * (ν_piston_0 * ν_piston_0) + C2 * ω_ψ_0 * t6;
             if !(r > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[r]));
             }

@@ -143,26 +143,26 @@ pub mod xy_stage {
             let I_frame = w_squared * mf * 0.08333333333333333;
             // moment of inertia about the centre of mass of platform
             let I_platform = w_squared * mp * 0.08333333333333333;
+            let two_I1 = I1 * 2.0;
             // distance of the centre of mass from the first end of left
             let r1 = l * 0.5;
-            let ml_r1_squared = ml * (r1 * r1);
-            let t1 = l_squared_ml * 2.0 + I1 + I1 + ml_r1_squared + ml_r1_squared
-                + l_squared * mf;
+            let two_ml_r1_squared = ml * (r1 * r1) * 2.0;
             let l_squared_mp = l_squared * mp;
             // constant of the inertia
-            let C0 = t1 + l_squared_mp;
+            let C0 = l_squared_ml * 2.0 + two_I1 + two_ml_r1_squared + l_squared * mf
+                + l_squared_mp;
             // inertia as assembled
             let A_lower_0 = l_squared_ml * 0.6666666666666666 + l_squared_mp;
             // constant of the inertia
-            let C1 = I1 + I1 + ml_r1_squared + ml_r1_squared + l_squared_mp;
-            let two_l_ml_r1 = l * ml * r1 * 2.0;
+            let C1 = two_I1 + two_ml_r1_squared + l_squared_mp;
             // constant of the inertia
-            let C2 = two_l_ml_r1 + two_l_ml_r1 + l_squared_mp * 2.0;
+            let C2 = l * ml * r1 * 4.0 + l_squared_mp * 2.0;
             // second moment of area
             let I = b * (h * (h * h)) * 0.08333333333333333;
             // stiffness at either end of a leaf
             let k = E * I * 4.51401 / L;
             let ddP_s_dφ1_dφ1 = k * 4.0;
+            let dF_y_stack_dφ1 = ks * 0.0;
             if !(l > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l]));
             }
@@ -172,62 +172,32 @@ pub mod xy_stage {
             if !(I1 >= 0.0) {
                 return Err(FAILURES[2].diagnostic(&[I1]));
             }
-            if !(l > 0.0) {
-                return Err(FAILURES[3].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[4].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[5].diagnostic(&[I1]));
-            }
             if !(w > 0.0) {
-                return Err(FAILURES[6].diagnostic(&[w]));
+                return Err(FAILURES[3].diagnostic(&[w]));
             }
             if !(mf >= 0.0) {
-                return Err(FAILURES[7].diagnostic(&[mf]));
+                return Err(FAILURES[4].diagnostic(&[mf]));
             }
             if !(I_frame >= 0.0) {
-                return Err(FAILURES[8].diagnostic(&[I_frame]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[9].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[10].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[11].diagnostic(&[I1]));
-            }
-            if !(l > 0.0) {
-                return Err(FAILURES[12].diagnostic(&[l]));
-            }
-            if !(ml >= 0.0) {
-                return Err(FAILURES[13].diagnostic(&[ml]));
-            }
-            if !(I1 >= 0.0) {
-                return Err(FAILURES[14].diagnostic(&[I1]));
-            }
-            if !(w > 0.0) {
-                return Err(FAILURES[15].diagnostic(&[w]));
+                return Err(FAILURES[5].diagnostic(&[I_frame]));
             }
             if !(mp >= 0.0) {
-                return Err(FAILURES[16].diagnostic(&[mp]));
+                return Err(FAILURES[6].diagnostic(&[mp]));
             }
             if !(I_platform >= 0.0) {
-                return Err(FAILURES[17].diagnostic(&[I_platform]));
+                return Err(FAILURES[7].diagnostic(&[I_platform]));
             }
             if !(fx >= 0.0) {
-                return Err(FAILURES[18].diagnostic(&[fx]));
+                return Err(FAILURES[8].diagnostic(&[fx]));
             }
             if !(fy >= 0.0) {
-                return Err(FAILURES[19].diagnostic(&[fy]));
+                return Err(FAILURES[9].diagnostic(&[fy]));
             }
             if !(C0 > 0.0) {
-                return Err(FAILURES[20].diagnostic(&[]));
+                return Err(FAILURES[10].diagnostic(&[]));
             }
             if !(A_lower_0 > 0.0) {
-                return Err(FAILURES[21].diagnostic(&[]));
+                return Err(FAILURES[11].diagnostic(&[]));
             }
             let prepared = Prepared {
                 start_states: [1.5707963267948966, 0.0, 0.0, 0.0],
@@ -248,9 +218,11 @@ pub mod xy_stage {
                 constant3: fy * 6.283185307179586,
                 constant4: stroke * fy * 6.283185307179586,
                 l_cs: l * cs,
+                l_dF_y_stack_dφ1: l * dF_y_stack_dφ1,
                 half_C0: C0 * 0.5,
                 half_C1: C1 * 0.5,
                 half_ks: ks * 0.5,
+                two_k: k * 2.0,
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -296,12 +268,16 @@ pub mod xy_stage {
         pub constant4: T,
         /// `l * cs`
         pub l_cs: T,
+        /// `l * ∂F_y_stack/∂φ1`
+        pub l_dF_y_stack_dφ1: T,
         /// `0.5 * C0`
         pub half_C0: T,
         /// `0.5 * C1`
         pub half_C1: T,
         /// `0.5 * ks`
         pub half_ks: T,
+        /// `2.0 * k`
+        pub two_k: T,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -325,9 +301,11 @@ pub mod xy_stage {
                 constant3: turn(self.constant3),
                 constant4: turn(self.constant4),
                 l_cs: turn(self.l_cs),
+                l_dF_y_stack_dφ1: turn(self.l_dF_y_stack_dφ1),
                 half_C0: turn(self.half_C0),
                 half_C1: turn(self.half_C1),
                 half_ks: turn(self.half_ks),
+                two_k: turn(self.two_k),
             }
         }
     }
@@ -460,8 +438,7 @@ pub mod xy_stage {
         let per_det_M = det_M.recip();
         let dy_T_dφ1 = p.l * cos_φ1;
         let dx_F1_dφ1 = -l_sin_φ1;
-        let dF_y_stack_dφ1 = p.ks * (dy_T_dφ1 - dy_T_dφ1);
-        let dτ2_dφ1 = p.l * (cos_φ2 * dF_y_stack_dφ1);
+        let dτ2_dφ1 = p.l_dF_y_stack_dφ1 * cos_φ2;
         let ddM12_dφ1_dφ1 = -M12;
         let dF_x_stack_ddφ1 = p.l_cs * sin_φ1;
         let dτ1_ddφ1 = -(p._4_c + p.l * (sin_φ1 * dF_x_stack_ddφ1));
@@ -581,7 +558,6 @@ pub mod xy_stage {
         let M12 = p.half_C2 * cos_φ1_minus_φ2;
         let t1 = φ1 - 1.5707963267948966;
         let t2 = T::from_f64(1.5707963267948966) - φ1;
-        let k_φ2_squared = p.k * (φ2 * φ2);
         let t3 = (φ1 + 1.5707963267948966) * 0.5;
         let (t4, t5) = t3.sin_cos();
         // displacement of `F1`
@@ -603,7 +579,7 @@ pub mod xy_stage {
         // drive `ux`
         let ux = p.stroke * t8;
         let x_F1_minus_ux = x_F1 - ux;
-        let t10 = p.k * (t1 * t1) + p.k * (t2 * t2) + k_φ2_squared + k_φ2_squared
+        let t10 = p.k * (t1 * t1) + p.k * (t2 * t2) + p.two_k * (φ2 * φ2)
             + p.half_ks * (x_F1_minus_ux * x_F1_minus_ux);
         let t11 = p.constant3 * t;
         let (t12, t13) = t11.sin_cos();
@@ -922,7 +898,7 @@ pub mod xy_stage {
     static INPUTS: &[Variable] = VARIABLES.split_at(18).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(18).1.split_at(2).0;
     static TURNING: [usize; 0] = [];
-    static FAILURES: [Failure; 22] = [
+    static FAILURES: [Failure; 12] = [
         Failure {
             message: Cow::Borrowed("the length of `left` is {0}"),
             hint: Some(Cow::Borrowed("it must be above zero")),
@@ -963,51 +939,6 @@ pub mod xy_stage {
                 width: 4,
                 excerpt: Cow::Borrowed(
                     "link left  from G1 to F1 { length = l, angle = 90 deg exact, mass = ml, symbol = φ1 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 26,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 26,
-                column: 62,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `right` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 26,
-                column: 62,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link right from G2 to F2 { length = l, angle = 90 deg,       mass = ml }",
                 ),
             }),
             related: Cow::Borrowed(&[]),
@@ -1057,111 +988,6 @@ pub mod xy_stage {
             }),
             related: Cow::Borrowed(&[]),
             units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `lower` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 33,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `lower` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 33,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `lower` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 33,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link lower    from H1 to P1 { length = l, angle =  0 deg exact, mass = ml, symbol = φ2 }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `upper` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 34,
-                column: 6,
-                width: 5,
-                excerpt: Cow::Borrowed(
-                    "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
-        },
-        Failure {
-            message: Cow::Borrowed("the mass of `upper` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 34,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the moment of inertia of `upper` is {0}"),
-            hint: Some(Cow::Borrowed("it must not be below zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 34,
-                column: 65,
-                width: 4,
-                excerpt: Cow::Borrowed(
-                    "link upper    from H2 to P2 { length = l, angle =  0 deg,       mass = ml }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Other("kg*m^2")]),
-        },
-        Failure {
-            message: Cow::Borrowed("the length of `platform` is {0}"),
-            hint: Some(Cow::Borrowed("it must be above zero")),
-            site: Some(Site {
-                file: Cow::Borrowed("xy_stage.flex"),
-                line: 35,
-                column: 6,
-                width: 8,
-                excerpt: Cow::Borrowed(
-                    "link platform from P1 to P2 { length = w, angle = 90 deg,       mass = mp }",
-                ),
-            }),
-            related: Cow::Borrowed(&[]),
-            units: Cow::Borrowed(&[Unit::Metre]),
         },
         Failure {
             message: Cow::Borrowed("the mass of `platform` is {0}"),

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::equations::{Discrete, Equations, Event, Kink, Line, Shown, ShownUnit};
-use crate::model::{BodyKind, EnergyKind, Measure};
+use crate::model::{BodyId, BodyKind, EnergyKind, Measure};
 use crate::symbolic::{Expr, Function, Symbol};
 
 use super::inertia::Inertia;
@@ -206,6 +206,7 @@ impl Derivation<'_> {
     /// A coordinate needs inertia of its own also for the params at hand.
     fn inertia_checks(&mut self, inertia: &Inertia) {
         let mut map = self.assembled_map();
+        self.assembled_rates(&mut map);
         for index in 0..self.coordinates.len() {
             let entry = self.expand_with(inertia.matrix[index][index], &mut map);
             let body = self.coordinates[index].body;
@@ -225,6 +226,31 @@ impl Derivation<'_> {
                 Vec::new(),
             );
             self.check(entry, false, failure);
+        }
+    }
+
+    /// Names the rates of the loops' unknowns as assembled, in the order in which loops close: the
+    /// rates of each loop follow from those of the loops before, and written out they would grow
+    /// with the length of a chain.
+    fn assembled_rates(&mut self, map: &mut HashMap<Symbol, Expr>) {
+        let steps = self.structure.steps.iter();
+        let unknowns: Vec<BodyId> = steps.flat_map(|step| step.unknowns()).collect();
+        for body in unknowns {
+            for rate in self.variable(body).rates.clone() {
+                let Some(symbol) = self.g.as_symbol(rate) else {
+                    continue;
+                };
+                if map.contains_key(&symbol) {
+                    continue;
+                }
+                let value = self.expand_with(rate, map);
+                if self.g.as_number(value).is_some() {
+                    continue;
+                }
+                let name = format!("{}⁰", self.g.symbol_text(symbol));
+                let assembled = self.named(&name, value, "rate as assembled");
+                map.insert(symbol, assembled);
+            }
         }
     }
 

@@ -1,7 +1,8 @@
 //! Summary: what `check` tells about a mechanism.
 
 use crate::equations::{Fact, ShownUnit};
-use crate::model::{BodyKind, Guess};
+use crate::model::{BodyId, BodyKind, Guess};
+use crate::structure::held_parallel;
 
 use super::Derivation;
 use super::inertia::Inertia;
@@ -71,15 +72,23 @@ impl Derivation<'_> {
         );
         let freedom = self.coordinates.len();
         fact("degrees of freedom", freedom.to_string(), Vec::new());
+        let parallel = held_parallel(self.model);
         for (index, coordinate) in self.coordinates.iter().enumerate() {
             let body = &self.model.bodies[coordinate.body];
             let reason = if self.structure.asked[index] {
                 "as asked"
             } else if self.structure.in_loop(coordinate.body) {
-                if self.structure.is_closed_form() {
-                    "the first in the file with which every loop closes in closed form"
-                } else {
-                    "the first of its loops in the file"
+                let is_passed = |body: BodyId| parallel[body] && self.structure.in_loop(body);
+                let passed = !parallel[coordinate.body] && (1..coordinate.body).any(is_passed);
+                match (self.structure.is_closed_form(), passed) {
+                    (true, false) => {
+                        "the first in the file with which every loop closes in closed form"
+                    }
+                    (true, true) => {
+                        "the first in the file that is not held parallel and with which every loop closes in closed form"
+                    }
+                    (false, false) => "the first of its loops in the file",
+                    (false, true) => "the first of its loops in the file that is not held parallel",
                 }
             } else {
                 "moves on its own"

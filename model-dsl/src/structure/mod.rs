@@ -15,12 +15,14 @@
 //! What is wrong on the way is said by `faults`, with the bodies and joints involved.
 
 mod faults;
+mod held;
 mod search;
 
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
 pub(crate) use faults::{bodies_named, coordinate_named, joints_named};
+pub(crate) use held::held_parallel;
 use search::Search;
 
 /// Links and slides that a model may have: equations of more would be longer than anyone reads,
@@ -275,6 +277,7 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
         search.learn(body);
     }
     let mut coordinates = asked.clone();
+    let mut held: Option<Vec<bool>> = None;
     for component in &components {
         let before = search.steps.len();
         search.look_at(&component.bodies);
@@ -301,7 +304,8 @@ pub fn structure(model: &Model) -> Result<Structure, Vec<Diagnostic>> {
             let next = if component.loops == 0 {
                 search.first_unknown(&component.bodies)
             } else {
-                search.best_coordinate(&component.bodies, left - 1)
+                let held = held.get_or_insert_with(|| held_parallel(model));
+                search.best_coordinate(&component.bodies, held, left - 1)
             };
             let Some(next) = next else {
                 break;

@@ -268,9 +268,7 @@ impl<'m> Search<'m> {
         let mut queue: VecDeque<Front> = VecDeque::new();
         for &index in &self.scope.1 {
             let pin = &self.model.pins[index];
-            // From each pin the way starts on one placed body: they all stand in the same place.
-            let Some(a) = (0..pin.members.len()).find(|m| self.placed[pin.members[*m].0].is_some())
-            else {
+            let Some(a) = self.nearest_placed(index) else {
                 continue;
             };
             for (b, (body, enter)) in pin.members.iter().enumerate() {
@@ -320,6 +318,20 @@ impl<'m> Search<'m> {
         None
     }
 
+    /// The placed body on a pin where ways start and end, as all of them stand in the same place:
+    /// that nearest to ground, so that loops have few bodies, but a link before a slide, because a
+    /// loop of links alone may be a parallelogram.
+    fn nearest_placed(&self, pin: usize) -> Option<usize> {
+        let members = &self.model.pins[pin].members;
+        (0..members.len())
+            .filter(|member| self.placed[members[*member].0].is_some())
+            .min_by_key(|member| {
+                let body = members[*member].0;
+                let is_slide = matches!(self.model.bodies[body].kind, BodyKind::Slide(_));
+                (is_slide, self.depth[body])
+            })
+    }
+
     /// Every way that goes one joint further.
     fn onward(&self, front: &Front, limit: usize) -> Vec<Front> {
         let mut found = Vec::new();
@@ -332,16 +344,15 @@ impl<'m> Search<'m> {
                 continue;
             }
             let leave = pin.members[a].1;
-            let mut arrived = false;
+            let arrival = self.nearest_placed(index);
             for (b, (body, enter)) in pin.members.iter().enumerate() {
-                let is_placed = self.placed[*body].is_some();
-                if b == a || front.visited.contains(body) || (is_placed && arrived) {
+                let is_passed = self.placed[*body].is_some() && arrival != Some(b);
+                if b == a || front.visited.contains(body) || is_passed {
                     continue;
                 }
                 let Some(mut next) = self.across(front, leave, limit) else {
                     continue;
                 };
-                arrived |= is_placed;
                 next.ties.push((index, a, b));
                 next.body = *body;
                 next.enter = *enter;
@@ -462,19 +473,25 @@ impl<'m> Search<'m> {
     }
 
     /// The coordinate among `bodies` after which everything closes in closed form, the first in
-    /// the file; else simply the first. `more` further coordinates may be chosen after it.
-    pub(super) fn best_coordinate(&self, bodies: &[BodyId], more: i64) -> Option<BodyId> {
-        let candidates: Vec<BodyId> = bodies
+    /// the file; else simply the first. `more` further coordinates may be chosen after it. Links
+    /// that cannot turn come last.
+    pub(super) fn best_coordinate(
+        &self,
+        bodies: &[BodyId],
+        held: &[bool],
+        more: i64,
+    ) -> Option<BodyId> {
+        let (last, mut candidates): (Vec<BodyId>, Vec<BodyId>) = bodies
             .iter()
-            .copied()
-            .filter(|body| !self.known[*body])
-            .collect();
+            .filter(|body| !self.known[**body])
+            .partition(|body| held[**body]);
+        candidates.extend(last);
         let closes = |candidate: &&BodyId| {
             let mut trial = self.clone();
             trial.learn(**candidate);
             trial.proceed();
             for _ in 0..more.max(0) {
-                let next = bodies.iter().find(|body| !trial.known[**body]).copied();
+                let next = candidates.iter().find(|body| !trial.known[**body]).copied();
                 let Some(next) = next else { break };
                 trial.learn(next);
                 trial.proceed();
