@@ -169,8 +169,17 @@ pub struct State {
     pub initial: Expr,
     /// Its rate.
     pub rate: Expr,
-    /// Whether it belongs to the configuration (an independent coordinate), not to the motion.
-    pub is_coordinate: bool,
+    /// Set if it belongs to the configuration (an independent coordinate), not to the motion.
+    pub coordinate: Option<Coordinate>,
+}
+
+/// What a state is that is an independent coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinate {
+    /// Value in the assembled configuration, of params.
+    pub assembled: Expr,
+    /// Whether loops follow it.
+    pub leads_loops: bool,
 }
 
 /// A discrete state.
@@ -249,9 +258,12 @@ pub struct Energy {
 pub struct Loop {
     /// By its bodies: `crank–coupler–rocker`.
     pub name: String,
-    /// Positive where the loop closes, zero at a dead point: the sine of the angle between the two
-    /// links that close it, or its square.
+    /// Positive where the loop closes, zero at a dead point: the squared sine of its transmission
+    /// angle, or what the residual is below the one allowed.
     pub closure: Expr,
+    /// Whether `closure` is the squared sine of the transmission angle: whether the loop is closed
+    /// by a dyad of its own, not together with others by Newton's method.
+    pub has_transmission_angle: bool,
 }
 
 /// A condition on params: an error or warning where `margin` is not positive (or not a number).

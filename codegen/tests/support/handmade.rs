@@ -189,7 +189,10 @@ pub fn slider_crank() -> Equations {
                 symbol: angle,
                 initial: theta,
                 rate: omega,
-                is_coordinate: true,
+                coordinate: Some(Coordinate {
+                    assembled: theta,
+                    leads_loops: true,
+                }),
             },
             State {
                 name: "crank.rate".to_owned(),
@@ -198,7 +201,7 @@ pub fn slider_crank() -> Equations {
                 symbol: rate,
                 initial: start,
                 rate: acceleration,
-                is_coordinate: false,
+                coordinate: None,
             },
         ],
         discretes: vec![
@@ -267,6 +270,7 @@ pub fn slider_crank() -> Equations {
         loops: vec![Loop {
             name: "crank–rod".to_owned(),
             closure: under,
+            has_transmission_angle: false,
         }],
         checks: vec![Check {
             margin: rod_margin,

@@ -5,7 +5,7 @@
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use crate::equations::{Energy, Line, State};
+use crate::equations::{self, Energy, Line, State};
 use crate::model::{BodyKind, EnergyKind, Measure};
 use crate::symbolic::Expr;
 
@@ -517,6 +517,10 @@ impl Derivation<'_> {
                 ["position", "velocity"]
             };
             let start = self.variable(coordinate.body).assembled;
+            let configuration = equations::Coordinate {
+                assembled: start,
+                leads_loops: self.structure.in_loop(coordinate.body),
+            };
             let rates = [coordinate.rate, coordinate.acceleration].map(|s| self.g.of(s));
             for i in [0, 1] {
                 states.push(State {
@@ -526,7 +530,7 @@ impl Derivation<'_> {
                     symbol: [coordinate.symbol, coordinate.rate][i],
                     initial: [start, zero][i],
                     rate: rates[i],
-                    is_coordinate: i == 0,
+                    coordinate: [Some(configuration), None][i],
                 });
             }
         }
@@ -538,7 +542,7 @@ impl Derivation<'_> {
                 symbol: state.symbol,
                 initial: zero,
                 rate: state.rate,
-                is_coordinate: false,
+                coordinate: None,
             });
         }
         for used in &self.model.measures {
@@ -559,7 +563,7 @@ impl Derivation<'_> {
                 symbol: used.symbol,
                 initial: zero,
                 rate,
-                is_coordinate: false,
+                coordinate: None,
             });
         }
         states

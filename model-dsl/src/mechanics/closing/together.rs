@@ -287,6 +287,7 @@ impl Derivation<'_> {
             self.loops.push(Loop {
                 name: name.clone(),
                 closure: closed,
+                has_transmission_angle: false,
             });
         }
     }
