@@ -259,7 +259,7 @@ pub struct Loop {
     /// By its bodies: `crank–coupler–rocker`.
     pub name: String,
     /// Positive where the loop closes, zero at a dead point: the squared sine of its transmission
-    /// angle, or what the residual is below the one allowed.
+    /// angle. For a loop without one 1 where it closes, -1 or not-a-number where it does not.
     pub closure: Expr,
     /// Whether `closure` is the squared sine of the transmission angle: whether the loop is closed
     /// by a dyad of its own, not together with others by Newton's method.

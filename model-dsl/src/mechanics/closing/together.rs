@@ -283,10 +283,12 @@ impl Derivation<'_> {
             let value = self.g.add(start, shift);
             self.define(unknown.symbol, value, String::new());
         }
+        let (one, minus) = (self.g.one(), self.g.integer(-1));
+        let closure = self.g.function(Function::IfPositive, &[closed, one, minus]);
         for name in names {
             self.loops.push(Loop {
                 name: name.clone(),
-                closure: closed,
+                closure,
                 has_transmission_angle: false,
             });
         }
