@@ -260,19 +260,10 @@ impl Walker<'_> {
             .collect()
     }
 
-    /// The loop nearest to its dead point: by its transmission angle, else those without one.
+    /// The loop nearest to its dead point, and those that close together with it.
     fn nearest(&self, closures: &[f64]) -> Vec<usize> {
-        let loops = &self.equations.loops;
-        let together = loops.iter().position(|l| !l.has_transmission_angle);
-        let least = (0..loops.len())
-            .filter(|&index| loops[index].has_transmission_angle)
-            .min_by(|&a, &b| closures[a].total_cmp(&closures[b]));
-        match (together, least) {
-            (Some(first), None) => self.closed_with(first),
-            (Some(first), Some(index)) if closures[index] > 0.1 => self.closed_with(first),
-            (_, Some(index)) => vec![index],
-            (None, None) => Vec::new(),
-        }
+        let least = (0..closures.len()).min_by(|&a, &b| closures[a].total_cmp(&closures[b]));
+        least.map_or_else(Vec::new, |index| self.closed_with(index))
     }
 
     fn notice(&mut self, there: &Stand) {
@@ -295,7 +286,7 @@ impl Walker<'_> {
         for index in 0..here.closures.len() {
             let [a, b, c] = [before, here, there].map(|stand| stand.closures[index]);
             let is_least = b < a && b <= c;
-            if !is_least || !self.equations.loops[index].has_transmission_angle {
+            if !is_least {
                 continue;
             }
             let (at, closure) = self.bottom(before, there.at, index);
@@ -318,7 +309,7 @@ impl Walker<'_> {
                 _ => true,
             };
             if is_nearer {
-                nearest = Some(Limit::DeadPoint(at, vec![index]));
+                nearest = Some(Limit::DeadPoint(at, self.closed_with(index)));
             }
         }
         if let Some(Limit::DeadPoint(at, loops)) = &nearest {

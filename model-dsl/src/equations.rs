@@ -259,7 +259,8 @@ pub struct Loop {
     /// By its bodies: `crank–coupler–rocker`.
     pub name: String,
     /// Positive where the loop closes, zero at a dead point: the squared sine of its transmission
-    /// angle. For a loop without one 1 where it closes, -1 or not-a-number where it does not.
+    /// angle. For loops that only close together the square of what the determinant of their
+    /// Jacobian is of that as assembled; -1 or not-a-number where they do not close.
     pub closure: Expr,
     /// Whether `closure` is the squared sine of the transmission angle: whether the loop is closed
     /// by a dyad of its own, not together with others by Newton's method.

@@ -11,12 +11,21 @@
 use crate::system::System;
 
 /// A sine below this is zero for what comes of it: the rest of the way is taken as straight. The
-/// closure, its square, still has four digits.
-const REACHED: f64 = 1e-6;
+/// closure, its square, still has eight digits; time and place are known to as many.
+const REACHED: f64 = 1e-4;
+
+/// So near to a dead point that steps which are a small part of the way left are so by the rounding
+/// of loops that close by Newton's method, not by the motion.
+const NEAR: f64 = 1e-2;
+
+/// Such a part.
+const SMALL_PART: f64 = 1e-4;
 
 /// What the loops' closures were and are.
 pub(super) struct Approach {
     time: f64,
+    /// The last step.
+    passed: f64,
     closures: Vec<f64>,
     /// Sines of the transmission angles.
     sines: Vec<f64>,
@@ -28,6 +37,7 @@ impl Approach {
     pub fn new(loops: usize) -> Self {
         Self {
             time: 0.0,
+            passed: f64::INFINITY,
             closures: vec![0.0; loops],
             sines: vec![f64::NAN; loops],
             rates: vec![0.0; loops],
@@ -47,10 +57,10 @@ impl Approach {
             return;
         }
         system.closures(t, x, d, u, &mut self.closures);
-        let passed = t - self.time;
+        self.passed = t - self.time;
         for (index, closure) in self.closures.iter().enumerate() {
             let sine = closure.max(0.0).sqrt();
-            let rate = (sine - self.sines[index]) / passed;
+            let rate = (sine - self.sines[index]) / self.passed;
             self.rates[index] = if rate.is_finite() { rate } else { 0.0 };
             self.sines[index] = sine;
         }
@@ -67,7 +77,10 @@ impl Approach {
 
     /// The loop that has come to its dead point, and the time left until then.
     pub fn reached(&self) -> Option<(usize, f64)> {
-        self.left().find(|(index, _)| self.sines[*index] < REACHED)
+        self.left().find(|&(index, left)| {
+            let sine = self.sines[index];
+            sine < REACHED || (sine < NEAR && self.passed < SMALL_PART * left)
+        })
     }
 
     /// Loops whose sine falls, and the time left until it would be zero.
