@@ -6,6 +6,9 @@
 //! they are lost in rounding: there is the dead point. Between steps each loop's closure is
 //! followed to its minima, so that none is missed that lies inside a step.
 
+// `!(a > b)` is meant where it stands: what is not a number is then on the safe side.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 use std::f64::consts::TAU;
 
 use flexure_model_dsl::equations::Equations;
