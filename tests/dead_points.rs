@@ -282,3 +282,22 @@ fn a_run_ends_at_the_time_at_which_the_other_coordinate_passes() {
         }
     }
 }
+
+#[test]
+fn loops_that_close_together_come_to_one_dead_point_at_any_accuracy() {
+    let text = std::fs::read_to_string("models/three_rrr.flex").unwrap();
+    let model = model(&(text + "initial crank1.rate = 20 rad/s\n"));
+    let mut design = model.design();
+    for (name, value) in [("k", 1e-9), ("c", 1e-12), ("torque", 0.0)] {
+        design.set(name, value).unwrap();
+    }
+    let system = design.prepare().unwrap();
+    let times = [1e-6, 1e-8].map(|tolerance| {
+        let run = simulate(&system).until(0.5).rtol(tolerance);
+        let failure = run.run().unwrap_err();
+        let breakdown = failure.breakdown;
+        assert_eq!(breakdown.kind, BreakdownKind::DeadPoint(0), "{breakdown}");
+        breakdown.time
+    });
+    near(times[0], times[1], 1e-4 * times[1]);
+}
