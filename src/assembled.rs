@@ -1,17 +1,22 @@
 //! The mechanism as assembled with a parameter set, for people: facts in words, places in numbers.
 //!
-//! What simulates has its own, faster `prepare`; this evaluates the equations plainly.
+//! What simulates has its own, faster `prepare`; this evaluates the equations plainly. How far the
+//! mechanism can be led is asked of what simulates.
 
 use flexure_model_dsl::equations::{Definition, DrawnEnd, Equations, Shape, ShownUnit, Solve};
 use flexure_model_dsl::symbolic::{Evaluator, Expr};
 use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::failure::{Unit, render};
 use flexure_runtime::newton;
+use flexure_runtime::system::System;
+
+use crate::reach::{self, Reach};
 
 /// Values of whatever depends on params alone.
 pub struct Assembled<'m> {
     equations: &'m Equations,
     evaluator: Evaluator<'m>,
+    system: Box<dyn System>,
 }
 
 /// A point or direction in the plane.
@@ -63,12 +68,17 @@ pub struct PlacedContact {
 }
 
 impl<'m> Assembled<'m> {
-    /// Evaluates `equations` with these values of its params, in SI.
+    /// Evaluates `equations` with these values of its params, in SI; `system` is what simulates
+    /// them with the same values.
     ///
     /// # Errors
     ///
     /// If equations that fix the assembled configuration have no solution.
-    pub fn new(equations: &'m Equations, params: &[f64]) -> Result<Self, Diagnostic> {
+    pub fn new(
+        equations: &'m Equations,
+        params: &[f64],
+        system: Box<dyn System>,
+    ) -> Result<Self, Diagnostic> {
         let mut evaluator = Evaluator::new(&equations.graph);
         for (param, value) in equations.params.iter().zip(params) {
             evaluator.set(param.symbol, *value);
@@ -82,6 +92,7 @@ impl<'m> Assembled<'m> {
         Ok(Self {
             equations,
             evaluator,
+            system,
         })
     }
 
@@ -90,12 +101,25 @@ impl<'m> Assembled<'m> {
         self.evaluator.value(expr)
     }
 
-    /// Bodies, joints, loops, degrees of freedom, coordinates and angles: what each line is about
-    /// and what is to be said.
+    /// How far each coordinate that loops follow can be led from its assembled value, the other
+    /// coordinates held at theirs, until a loop reaches a dead point.
+    pub fn reach(&mut self) -> Vec<Reach> {
+        let equations = self.equations;
+        let assembled: Vec<Option<f64>> = equations
+            .states
+            .iter()
+            .map(|state| Some(self.value(state.coordinate?.assembled)))
+            .collect();
+        let size = size(&self.places());
+        reach::reaches(&*self.system, equations, &assembled, size)
+    }
+
+    /// Bodies, joints, loops, degrees of freedom, coordinates and angles, ranges over which loops
+    /// close and transmission angles: what each line is about and what is to be said.
     pub fn facts(&mut self) -> Vec<(String, String)> {
         let equations = self.equations;
         let facts = equations.summary.iter();
-        facts
+        let mut facts: Vec<(String, String)> = facts
             .map(|fact| {
                 let (values, units): (Vec<f64>, Vec<Unit>) = fact
                     .values
@@ -104,7 +128,10 @@ impl<'m> Assembled<'m> {
                     .unzip();
                 (fact.subject.clone(), render(&fact.words, &values, &units))
             })
-            .collect()
+            .collect();
+        let reach = self.reach();
+        facts.extend(reach::facts(equations, &reach));
+        facts
     }
 
     /// The shape of the mechanism.
@@ -155,6 +182,24 @@ impl<'m> Assembled<'m> {
 
     fn point(&mut self, point: [Expr; 2]) -> Point {
         point.map(|coordinate| self.value(coordinate))
+    }
+}
+
+/// The longer side of the box around all links and points, in m; 1 m where there are none.
+fn size(places: &Places) -> f64 {
+    let corners = places.links.iter().flat_map(|(_, corners)| corners);
+    let marks = places.marks.iter().map(|(_, at, _)| at);
+    let points: Vec<&Point> = corners.chain(marks).collect();
+    let extents = [0, 1].map(|axis| {
+        let coordinates = points.iter().map(|point| point[axis]);
+        let greatest = coordinates.clone().fold(f64::NEG_INFINITY, f64::max);
+        greatest - coordinates.fold(f64::INFINITY, f64::min)
+    });
+    let longest = extents[0].max(extents[1]);
+    if longest > 0.0 && longest.is_finite() {
+        longest
+    } else {
+        1.0
     }
 }
 

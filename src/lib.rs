@@ -32,6 +32,7 @@
 mod assembled;
 mod macros;
 mod model;
+mod reach;
 
 pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
 pub use flexure_codegen as codegen;
@@ -39,6 +40,7 @@ pub use flexure_model_dsl as model_dsl;
 pub use flexure_runtime as runtime;
 pub use flexure_runtime::simulate::{Run, simulate};
 pub use model::{Design, Diagnostics, Model, quantity, split_assignment};
+pub use reach::{Approach, Limit, Reach};
 
 /// What [`include_model!`] and [`model!`] expand to; not for use by name.
 #[doc(hidden)]

@@ -268,8 +268,8 @@ impl Design {
     ///
     /// As [`Design::prepare`].
     pub fn assembled(&self) -> Result<Assembled<'_>, Diagnostic> {
-        self.prepare()?;
-        Assembled::new(self.model.equations(), &self.values)
+        let system = Box::new(self.prepare()?);
+        Assembled::new(self.model.equations(), &self.values, system)
     }
 
     fn position(&self, name: &str) -> Result<usize, Diagnostic> {

@@ -309,7 +309,7 @@ fn bindings(
             start: None,
         });
         symbols.states.push(text(state.symbol));
-        let stage = if state.is_coordinate {
+        let stage = if state.coordinate.is_some() {
             Stage::Configuration
         } else {
             Stage::State

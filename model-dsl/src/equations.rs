@@ -171,8 +171,17 @@ pub struct State {
     pub initial: Expr,
     /// Its rate.
     pub rate: Expr,
-    /// Whether it belongs to the configuration (an independent coordinate), not to the motion.
-    pub is_coordinate: bool,
+    /// Set if it belongs to the configuration (an independent coordinate), not to the motion.
+    pub coordinate: Option<Coordinate>,
+}
+
+/// What a state is that is an independent coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinate {
+    /// Value in the assembled configuration, of params.
+    pub assembled: Expr,
+    /// Whether loops follow it.
+    pub leads_loops: bool,
 }
 
 /// A discrete state.
@@ -251,9 +260,13 @@ pub struct Energy {
 pub struct Loop {
     /// By its bodies: `crank–coupler–rocker`.
     pub name: String,
-    /// Positive where the loop closes, zero at a dead point: the sine of the angle between the two
-    /// links that close it, or its square.
+    /// Positive where the loop closes, zero at a dead point: the squared sine of its transmission
+    /// angle. For loops that only close together the square of what the determinant of their
+    /// Jacobian is of that as assembled; -1 or not-a-number where they do not close.
     pub closure: Expr,
+    /// Whether `closure` is the squared sine of the transmission angle: whether the loop is closed
+    /// by a dyad of its own, not together with others by Newton's method.
+    pub has_transmission_angle: bool,
 }
 
 /// A condition on params: an error or warning where `margin` is not positive (or not a number).

@@ -119,7 +119,9 @@ pub trait System: Send + Sync {
 
     /// Number of loops of the mechanism.
     fn loop_count(&self) -> usize;
-    /// For each loop a number that is positive where it closes and zero at a dead point.
+    /// For each loop a number that is positive where it closes and zero at a dead point: the squared
+    /// sine of its transmission angle. For loops that only close together the square of what
+    /// the determinant of their Jacobian is of that as assembled.
     fn closures(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]);
     /// Name of a loop by its bodies: `crank–coupler–rocker`.
     fn loop_name(&self, index: usize) -> &str;

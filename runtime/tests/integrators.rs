@@ -414,7 +414,7 @@ fn a_loop_that_cannot_close_any_further_is_named() {
     let system = FnSystem::new(&[("crank.angle", "rad")], &[0.0], |_, x, _, dx| {
         dx[0] = 1.0 + 0.0 * (1.0 - x[0]).sqrt();
     })
-    .closure(|x| 1.0 - x[0]);
+    .closure(|x| (1.0 - x[0]) * (1.0 - x[0]).abs());
     let failure = simulate(&system).until(2.0).rtol(1e-8).run().unwrap_err();
     assert_eq!(failure.breakdown.kind, BreakdownKind::DeadPoint(0));
     assert!((failure.breakdown.time - 1.0).abs() < 1e-9, "{failure}");

@@ -6,7 +6,7 @@ use super::settings::Settings;
 use super::terminal::Terminal;
 use super::{Failure, print};
 
-/// Say what a model describes: bodies, joints, loops, degrees of freedom, closed angles, warnings
+/// Say what a model describes: bodies, joints, loops, degrees of freedom, closed angles, dead points, warnings
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -190,7 +190,10 @@ pub fn slider_crank() -> Equations {
                 symbol: angle,
                 initial: theta,
                 rate: omega,
-                is_coordinate: true,
+                coordinate: Some(Coordinate {
+                    assembled: theta,
+                    leads_loops: true,
+                }),
             },
             State {
                 name: "crank.rate".to_owned(),
@@ -199,7 +202,7 @@ pub fn slider_crank() -> Equations {
                 symbol: rate,
                 initial: start,
                 rate: acceleration,
-                is_coordinate: false,
+                coordinate: None,
             },
         ],
         discretes: vec![
@@ -268,6 +271,7 @@ pub fn slider_crank() -> Equations {
         loops: vec![Loop {
             name: "crank–rod".to_owned(),
             closure: under,
+            has_transmission_angle: false,
         }],
         checks: vec![Check {
             margin: rod_margin,

@@ -3,7 +3,7 @@
 //! M q̈ + h(q, q̇) + ∂P/∂q = τ, with h_i = Σ_jk (∂M_ij/∂q_k - ½ ∂M_jk/∂q_i) q̇_j q̇_k. For a block of
 //! one whose inertia depends on its own coordinate alone this is the article's (15).
 
-use crate::equations::{Energy, Line, State};
+use crate::equations::{self, Energy, Line, State};
 use crate::model::{BodyKind, EnergyKind, Measure};
 use crate::symbolic::Expr;
 
@@ -346,6 +346,10 @@ impl Derivation<'_> {
                 }
             };
             let start = self.variable(coordinate.body).assembled;
+            let configuration = equations::Coordinate {
+                assembled: start,
+                leads_loops: self.structure.in_loop(coordinate.body),
+            };
             let rates = [coordinate.rate, coordinate.acceleration].map(|s| self.g.of(s));
             for i in [0, 1] {
                 states.push(State {
@@ -355,7 +359,7 @@ impl Derivation<'_> {
                     symbol: [coordinate.symbol, coordinate.rate][i],
                     initial: [start, zero][i],
                     rate: rates[i],
-                    is_coordinate: i == 0,
+                    coordinate: [Some(configuration), None][i],
                 });
             }
         }
@@ -367,7 +371,7 @@ impl Derivation<'_> {
                 symbol: state.symbol,
                 initial: zero,
                 rate: state.rate,
-                is_coordinate: false,
+                coordinate: None,
             });
         }
         for used in &self.model.measures {
@@ -388,7 +392,7 @@ impl Derivation<'_> {
                 symbol: used.symbol,
                 initial: zero,
                 rate,
-                is_coordinate: false,
+                coordinate: None,
             });
         }
         states

@@ -196,14 +196,13 @@ fn configuration<S: System + ?Sized>(place: &Place<'_, S>) -> String {
         .zip(place.state)
         .take(SHOWN)
         .map(|(variable, value)| {
-            let unit = if variable.unit == "1" {
-                ""
-            } else {
-                &variable.unit
+            let shown = match variable.unit.as_ref() {
+                "1" => quantity(*value, Unit::Number),
+                "rad" => quantity(*value, Unit::Degree),
+                "m" => quantity(*value, Unit::Metre),
+                unit => format!("{} {unit}", quantity(*value, Unit::Number)),
             };
-            format!("{} = {value:.6e} {unit}", variable.name)
-                .trim_end()
-                .to_owned()
+            format!("{} = {shown}", variable.name)
         })
         .collect();
     if states.len() > SHOWN {

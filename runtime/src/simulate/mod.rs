@@ -25,6 +25,7 @@ mod accounting;
 mod breakdown;
 mod coefficients;
 mod crossing;
+mod dead_point;
 mod dormand_prince;
 mod method;
 mod pace;

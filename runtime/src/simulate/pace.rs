@@ -42,8 +42,23 @@ impl Pace {
         })
     }
 
-    /// The step to try next from `t`; it ends exactly at the break `to`, or before.
-    pub fn next(&mut self, t: f64, to: f64) -> Trial {
+    /// The step to try next from `t`, no longer than `longest`; it ends exactly at the break `to`,
+    /// or before.
+    pub fn next(&mut self, t: f64, to: f64, longest: f64) -> Trial {
+        let trial = self.wanted(t, to);
+        if trial.h <= longest {
+            return trial;
+        }
+        if let Pace::Fixed(equal) = self {
+            equal.stretch = None;
+        }
+        Trial {
+            h: longest,
+            end: t + longest,
+        }
+    }
+
+    fn wanted(&mut self, t: f64, to: f64) -> Trial {
         match self {
             Pace::Fixed(equal) => equal.next(t, to),
             Pace::Adaptive(control) => {

@@ -10,6 +10,7 @@ use std::ops::ControlFlow;
 use super::accounting::Flow;
 use super::breakdown::{Breakdown, BreakdownKind, Place};
 use super::crossing::{Crossings, Found};
+use super::dead_point::Approach;
 use super::method::{Method, Step};
 use super::pace::{Pace, Trial};
 use super::recorder::Recorder;
@@ -34,6 +35,9 @@ pub(super) struct Walk<'a, S: System + ?Sized, M> {
     until: f64,
     rows: Rows<'a>,
     crossings: Crossings,
+    approach: Approach,
+    /// Half of a step that a loop did not allow, where steps are equal ones.
+    shortened: f64,
     /// Where it stands.
     t: f64,
     x: Vec<f64>,
@@ -100,6 +104,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             until,
             rows: Rows::new(recorder, width, every, until, flow.stored(0.0, &x, &d)),
             crossings: Crossings::new(system.event_count(), width),
+            approach: Approach::new(system.loop_count()),
+            shortened: f64::INFINITY,
             t: 0.0,
             f: vec![0.0; width],
             x_end: vec![0.0; width],
@@ -152,6 +158,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             control.start(self.flow.own(&self.x), first_break);
         }
         recorded(self.rows.start(&self.flow, self.t, &self.x, &self.d))?;
+        self.watch_loops()?;
         let mut tried: u64 = 0;
         while self.t < self.until {
             if tried >= most_steps {
@@ -161,7 +168,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             if tried.is_multiple_of(PROGRESS_INTERVAL) {
                 recorded(self.rows.recorder.progress(self.t))?;
             }
-            let trial = self.pace.next(self.t, self.next_break());
+            let longest = self.approach.longest_step().min(self.shortened);
+            let trial = self.pace.next(self.t, self.next_break(), longest);
             match self.attempt(trial) {
                 Ok(error) => self.accept(trial, error)?,
                 Err(rejection) => self.reject(trial, &rejection)?,
@@ -235,14 +243,21 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
 
     fn reject(&mut self, trial: Trial, rejection: &Rejection) -> Result<(), Halt> {
         self.summary.statistics.rejected += 1;
+        let shortest = 8.0 * f64::EPSILON * self.t.abs() + 1e-18 * self.until;
         let control = match &mut self.pace {
             Pace::Adaptive(control) => control,
             Pace::Fixed(_) => {
-                return Err(match rejection {
+                let kind = match rejection {
                     Rejection::Turned(index) => BreakdownKind::Turned(*index),
                     _ => self.not_finite(trial.h),
-                }
-                .into());
+                };
+                self.shortened = 0.5 * trial.h;
+                let may_be_nearer = matches!(kind, BreakdownKind::DeadPoint(_));
+                return if may_be_nearer && self.shortened >= shortest {
+                    Ok(())
+                } else {
+                    Err(kind.into())
+                };
             }
         };
         match rejection {
@@ -250,7 +265,6 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             Rejection::NotFinite => control.cut(trial.h, 0.25),
             Rejection::Turned(_) => control.cut(trial.h, 0.5),
         }
-        let shortest = 8.0 * f64::EPSILON * self.t.abs() + 1e-18 * self.until;
         if control.wanted >= shortest {
             return Ok(());
         }
@@ -327,6 +341,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         std::mem::swap(&mut self.f, &mut self.f_end);
         self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
         recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
+        self.shortened = f64::INFINITY;
+        self.watch_loops()?;
         let may_have_moved_kinks = found.is_some();
         if let Some(found) = found {
             self.happen(found.all)?;
@@ -337,6 +353,20 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             self.pass_kinks()?;
         }
         Ok(())
+    }
+
+    /// Ends the run where a loop comes to its dead point.
+    fn watch_loops(&mut self) -> Result<(), Halt> {
+        let x = self.flow.own(&self.x);
+        self.approach
+            .stand(self.flow.system, self.t, x, &self.d, &self.flow.u);
+        match self.approach.reached() {
+            Some((index, left)) => {
+                self.t = (self.t + left).min(self.next_break());
+                Err(BreakdownKind::DeadPoint(index).into())
+            }
+            None => Ok(()),
+        }
     }
 
     /// Takes the step again, to end at the event: the dense output says where, Newton's method on

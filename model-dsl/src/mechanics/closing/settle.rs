@@ -102,6 +102,7 @@ impl Derivation<'_> {
         self.loops.push(Loop {
             name: name.to_owned(),
             closure: solution.closure,
+            has_transmission_angle: true,
         });
     }
 

@@ -70,14 +70,8 @@ impl Derivation<'_> {
             }
             return;
         };
-        self.run_together(
-            &unknowns,
-            &residuals,
-            size,
-            (&rows, &columns),
-            &index,
-            &names,
-        );
+        let order = (rows.as_slice(), columns.as_slice());
+        let closed = self.run_together(&unknowns, &residuals, size, order, &index);
         let listed: Vec<&str> = unknowns
             .iter()
             .map(|unknown| self.g.symbol_text(unknown.symbol))
@@ -86,7 +80,8 @@ impl Derivation<'_> {
             "{} close these loops together: {STEPS} Newton steps from the last accepted step, to a residual of 1e-12 of their size",
             listed.join(", ")
         )));
-        self.rates_together(&sums, &unknowns, (&rows, &columns), &index, &mut lines);
+        let (jacobian, factors) = self.rates_together(&sums, &unknowns, order, &index, &mut lines);
+        self.loops_together(&names, &jacobian, &factors, closed, &index);
         let title = if names.len() == 1 { "Loop" } else { "Loops" };
         self.section(&format!("{title} {name}"), lines);
     }
@@ -230,8 +225,7 @@ impl Derivation<'_> {
         size: Expr,
         order: (&[usize], &[usize]),
         index: &str,
-        names: &[String],
-    ) {
+    ) -> Expr {
         let symbols: Vec<Symbol> = unknowns.iter().map(|unknown| unknown.symbol).collect();
         let jacobian = self.jacobian(residuals, &symbols);
         let mut shifts: Vec<Expr> = unknowns
@@ -294,10 +288,43 @@ impl Derivation<'_> {
             let value = self.g.add(start, shift);
             self.define(unknown.symbol, value, String::new());
         }
+        closed
+    }
+
+    /// The loops, each with the square of what the determinant of their Jacobian is of that as
+    /// assembled: zero at a dead point, as the squared sine of a transmission angle is.
+    fn loops_together(
+        &mut self,
+        names: &[String],
+        jacobian: &[Vec<Expr>],
+        running: &Factors,
+        closed: Expr,
+        index: &str,
+    ) {
+        let map = self.assembled_map();
+        let entries: Vec<Vec<Expr>> = jacobian
+            .iter()
+            .map(|row| row.iter().map(|e| self.g.substitute(*e, &map)).collect())
+            .collect();
+        let order = (running.rows.as_slice(), running.columns.as_slice());
+        let assembled = self.factor(&entries, order, &format!("{index}_0"), &mut Made::new());
+        let mut ratio = self.g.one();
+        for pivot in 0..entries.len() {
+            let of = self
+                .g
+                .div(running.upper[pivot][pivot], assembled.upper[pivot][pivot]);
+            ratio = self.g.mul(ratio, of);
+        }
+        let square = self.g.powi(ratio, 2);
+        let minus = self.g.integer(-1);
+        let closure = self
+            .g
+            .function(Function::IfPositive, &[closed, square, minus]);
         for name in names {
             self.loops.push(Loop {
                 name: name.clone(),
-                closure: closed,
+                closure,
+                has_transmission_angle: false,
             });
         }
     }
@@ -318,7 +345,6 @@ impl Derivation<'_> {
             return value;
         }
         let symbol = self.names.symbol(&mut self.g, name);
-        self.g.mark_varying(symbol);
         self.define(symbol, value, "");
         made.push((symbol, value));
         self.g.of(symbol)
@@ -428,7 +454,7 @@ impl Derivation<'_> {
         order: (&[usize], &[usize]),
         index: &str,
         lines: &mut Vec<Line>,
-    ) {
+    ) -> (Vec<Vec<Expr>>, Factors) {
         let residuals: Vec<Expr> = sums.iter().flat_map(|sum| self.position(sum)).collect();
         let symbols: Vec<Symbol> = unknowns.iter().map(|unknown| unknown.symbol).collect();
         let jacobian = self.jacobian(&residuals, &symbols);
@@ -494,5 +520,6 @@ impl Derivation<'_> {
                 }
             }
         }
+        (jacobian, factors)
     }
 }
