@@ -6,7 +6,7 @@ use flexure_model_dsl::equations::Equations;
 use flexure_model_dsl::source::Source;
 
 /// The models whose equations are kept as text and as LaTeX.
-const MODELS: [&str; 15] = [
+const MODELS: [&str; 18] = [
     "andrews",
     "bridge_amplifier",
     "double_parallelogram_stage",
@@ -17,10 +17,13 @@ const MODELS: [&str; 15] = [
     "msdm",
     "n_windows_1",
     "n_windows_2",
+    "n_windows_40",
     "parallelogram_stage",
     "pendulum",
     "six_bar",
     "slider_crank",
+    "three_rrr",
+    "three_rrr_cranks",
     "xy_stage",
 ];
 
