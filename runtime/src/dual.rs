@@ -214,6 +214,15 @@ impl Real for Dual {
             rate: 0.0,
         }
     }
+    fn times_plus(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+    fn all_positive(self) -> bool {
+        self.value > 0.0
+    }
+    fn any_positive(self) -> bool {
+        self.value > 0.0
+    }
 }
 
 #[cfg(test)]

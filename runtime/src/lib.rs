@@ -5,6 +5,7 @@ pub mod diagnostic;
 pub mod dual;
 pub mod failure;
 pub mod generated;
+pub mod lanes;
 pub mod newton;
 pub mod real;
 pub mod simulate;

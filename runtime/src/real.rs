@@ -70,6 +70,12 @@ pub trait Real:
     fn if_positive(self, yes: Self, no: Self) -> Self;
     /// The entry of `table` at this position, the nearest one outside its range.
     fn lookup(self, table: &[f64]) -> Self;
+    /// This times `factor` plus `addend`, rounded once where that costs nothing.
+    fn times_plus(self, factor: Self, addend: Self) -> Self;
+    /// Whether this is positive, in every lane.
+    fn all_positive(self) -> bool;
+    /// Whether this is positive, in any lane.
+    fn any_positive(self) -> bool;
 }
 
 impl Real for f64 {
@@ -173,5 +179,17 @@ impl Real for f64 {
         let last = table.len().saturating_sub(1);
         let position = (f64::max(self, 0.0) as usize).min(last);
         table.get(position).copied().unwrap_or(f64::NAN)
+    }
+    #[inline(always)]
+    fn times_plus(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+    #[inline(always)]
+    fn all_positive(self) -> bool {
+        self > 0.0
+    }
+    #[inline(always)]
+    fn any_positive(self) -> bool {
+        self > 0.0
     }
 }
