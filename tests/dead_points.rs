@@ -285,7 +285,7 @@ fn a_run_ends_at_the_time_at_which_the_other_coordinate_passes() {
 
 #[test]
 fn loops_that_close_together_come_to_one_dead_point_at_any_accuracy() {
-    let text = std::fs::read_to_string("models/three_rrr.flex").unwrap();
+    let text = std::fs::read_to_string("models/three_rrr_cranks.flex").unwrap();
     let model = model(&(text + "initial crank1.rate = 20 rad/s\n"));
     let mut design = model.design();
     for (name, value) in [("k", 1e-9), ("c", 1e-12), ("torque", 0.0)] {

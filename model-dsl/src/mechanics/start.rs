@@ -263,7 +263,10 @@ impl Derivation<'_> {
         let names: Vec<String> = self
             .coordinates
             .iter()
-            .map(|c| format!("`{}`", self.model.bodies[c.body].name))
+            .map(|c| {
+                let [value, rate] = self.model.coordinate_names(c.body);
+                format!("`{}`", if what == "rate" { rate } else { value })
+            })
             .collect();
         self.fault(
             initial.span,
