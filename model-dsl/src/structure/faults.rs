@@ -28,6 +28,7 @@ fn listed(names: &[String]) -> String {
 pub(crate) fn bodies_named(model: &Model, bodies: &[BodyId]) -> String {
     let names: Vec<String> = bodies
         .iter()
+        .filter(|body| !model.is_traced(**body))
         .map(|body| model.bodies[*body].name.clone())
         .collect();
     listed(&names)
@@ -45,6 +46,7 @@ pub(crate) fn joints_named(model: &Model, bodies: &[BodyId]) -> String {
         .collect();
     let guided: Vec<String> = bodies
         .iter()
+        .filter(|body| !model.is_traced(**body))
         .map(|body| &model.bodies[*body])
         .filter(|body| matches!(&body.kind, BodyKind::Slide(slide) if among(slide.carrier)))
         .map(|body| body.name.clone())
@@ -64,11 +66,8 @@ pub(crate) fn joints_named(model: &Model, bodies: &[BodyId]) -> String {
 
 /// `` `crank.angle` `` or `` `stage.x` ``: the coordinate that a body gives.
 pub(crate) fn coordinate_named(model: &Model, body: BodyId) -> String {
-    let quantity = match model.bodies[body].kind {
-        BodyKind::Slide(_) => "x",
-        BodyKind::Link(_) | BodyKind::Ground => "angle",
-    };
-    format!("`{}.{quantity}`", model.bodies[body].name)
+    let [name, _] = model.coordinate_names(body);
+    format!("`{name}`")
 }
 
 /// A rigid truss that is all there is.
@@ -159,8 +158,13 @@ pub(super) fn follows(
         _ => leading.join(", "),
     };
     let joints = joints_named(model, around);
+    let close = if loop_.contains('–') {
+        "close"
+    } else {
+        "closes"
+    };
     let error = Diagnostic::error(format!(
-        "{} follows from {from} and cannot be a coordinate beside it: {loop_} close a loop by {joints}",
+        "{} follows from {from} and cannot be a coordinate beside it: {loop_} {close} a loop by {joints}",
         coordinate_named(model, body)
     ))
     .hint("remove this `coordinate`, or ask for that of another body");
