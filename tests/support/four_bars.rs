@@ -145,13 +145,8 @@ contact tip between P2 and stage {
             }
             closed.push((ANGLE[k], drawn));
             if k != self.exact {
-                // A guess is off, yet on the same side of the dead point. Where the exact angle is
-                // not the coordinate's, the loop must also close at the coordinate's guess.
-                let room = if k == self.coordinate {
-                    0.01 * closing * closing * assembling.abs()
-                } else {
-                    (0.4 * assembling.abs()).min(0.15)
-                };
+                // A guess is off, yet on the same side of the dead points.
+                let room = (0.4 * assembling.abs().min(closing.abs())).min(0.15);
                 drawn += random.between(-room, room);
             }
             let mass = random.scale(1e-4, 1e-3);

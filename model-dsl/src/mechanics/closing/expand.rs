@@ -7,15 +7,6 @@ use crate::symbolic::{Expr, Symbol};
 use super::super::Derivation;
 
 impl Derivation<'_> {
-    /// `expr` with everything that depends on `unknowns` written out in terms of them.
-    pub(in super::super) fn expand(&mut self, expr: Expr, unknowns: &[Symbol]) -> Expr {
-        let mut map: HashMap<Symbol, Expr> = HashMap::new();
-        for symbol in unknowns {
-            map.insert(*symbol, self.g.of(*symbol));
-        }
-        self.expand_with(expr, &mut map)
-    }
-
     /// `expr` with symbols replaced as `map` says, also inside the definitions of the symbols that
     /// it uses; definitions that lead to nothing replaced stay symbols.
     pub(in super::super) fn expand_with(

@@ -87,7 +87,7 @@ impl Derivation<'_> {
     }
 
     /// Sum of the sizes of all vectors, of params.
-    fn loop_size(&mut self, sums: &[Vec<Turned>]) -> Expr {
+    pub(super) fn loop_size(&mut self, sums: &[Vec<Turned>]) -> Expr {
         let mut sizes = Vec::new();
         for part in sums.iter().flatten().filter(|part| part.slide.is_none()) {
             sizes.push(self.g.function(Function::Abs, &[part.magnitude]));
