@@ -1,48 +1,85 @@
 //! Long functions in blocks.
 //!
 //! Each `let` opens a scope within the scope of the one before, and the Rust compiler walks scopes
-//! recursively when it writes debug information: some five thousand of them overflow its stack. So
+//! recursively when it writes debug information: some six thousand of them overflow its stack. So
 //! long bodies are cut into blocks that give what is used after them:
 //!
 //! ```text
 //! let (cos_θ, x_1_2) = { …; (cos_θ, x_1_2) };
 //! ```
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
 use super::expression::ident;
 
-/// Statements of one scope.
-const LONGEST: usize = 2000;
+/// Most statements of one scope.
+const LONGEST: usize = 4000;
 
-/// The statements as they are if they are few, else in blocks.
+/// The statements as they are if they are few, else in blocks, cut where the fewest names go on.
 pub(super) fn in_blocks(statements: Vec<TokenStream>) -> Vec<TokenStream> {
     if statements.len() <= LONGEST {
         return statements;
     }
+    let last_uses = last_uses(&statements);
+    let bound: Vec<Vec<String>> = statements.iter().cloned().map(bound).collect();
     let mut blocks = Vec::new();
-    let mut used_later = HashSet::new();
-    for block in statements.chunks(LONGEST).rev() {
-        let given: Vec<_> = block
+    let mut start = 0;
+    while start < statements.len() {
+        let end = cut(start, &bound, &last_uses);
+        let block = &statements[start..end];
+        let given: Vec<_> = bound[start..end]
             .iter()
-            .flat_map(|statement| bound(statement.clone()))
-            .filter(|name| used_later.contains(name))
-            .map(|name| ident(&name))
+            .flatten()
+            .filter(|name| last_uses[name.as_str()] >= end)
+            .map(|name| ident(name))
             .collect();
-        for statement in block {
-            names(statement.clone(), &mut used_later);
-        }
         blocks.push(if given.is_empty() {
             quote!({ #(#block)* })
         } else {
             quote!(let (#(#given),*,) = { #(#block)* (#(#given),*,) };)
         });
+        start = end;
     }
-    blocks.reverse();
     blocks
+}
+
+/// Where a block from `start` ends: in its second half, after which the fewest of its names are used.
+fn cut(start: usize, bound: &[Vec<String>], last_uses: &HashMap<String, usize>) -> usize {
+    if bound.len() - start <= LONGEST {
+        return bound.len();
+    }
+    // By how many the names in use change from one statement to the next.
+    let mut changes = vec![0i64; LONGEST + 2];
+    for (position, names) in bound[start..start + LONGEST].iter().enumerate() {
+        for name in names {
+            changes[position + 1] += 1;
+            let after = last_uses[name] - start + 1;
+            changes[after.min(LONGEST + 1)] -= 1;
+        }
+    }
+    let mut in_use = 0;
+    let mut best = (i64::MAX, LONGEST);
+    for (position, change) in changes.into_iter().enumerate().take(LONGEST + 1) {
+        in_use += change;
+        if position > LONGEST / 2 && in_use <= best.0 {
+            best = (in_use, position);
+        }
+    }
+    start + best.1
+}
+
+/// For each name the last statement with it.
+fn last_uses(statements: &[TokenStream]) -> HashMap<String, usize> {
+    let mut last = HashMap::new();
+    for (position, statement) in statements.iter().enumerate() {
+        let mut used = HashSet::new();
+        names(statement.clone(), &mut used);
+        last.extend(used.into_iter().map(|name| (name, position)));
+    }
+    last
 }
 
 /// The names that a `let` binds.
@@ -84,14 +121,16 @@ mod tests {
     #[test]
     fn blocks_give_what_is_used_after_them() {
         let mut statements: Vec<TokenStream> = vec![quote!(let (a, b) = x.sin_cos();)];
-        statements.extend((1..LONGEST).map(|_| quote!(let c = a;)));
-        statements.push(quote!(dx[0] = b * a;));
+        statements.extend((1..LONGEST - 9).map(|_| quote!(let f = a;)));
+        statements.push(quote!(let c = 1.0;));
+        statements.extend((0..9).map(|_| quote!(let e = c;)));
+        statements.push(quote!(dx[0] = b * e;));
         let blocks = in_blocks(statements);
         assert_eq!(blocks.len(), 2);
-        let first = blocks[0].to_string();
-        assert!(first.starts_with("let (a , b ,) = { let (a , b) = x"));
-        assert!(first.ends_with("let c = a ; (a , b ,) } ;"));
-        assert_eq!(blocks[1].to_string(), "{ dx [0] = b * a ; }");
+        let [first, second] = [0, 1].map(|block| blocks[block].to_string());
+        assert!(first.starts_with("let (b ,) = { let (a , b) = x"));
+        assert!(first.ends_with("let f = a ; (b ,) } ;"));
+        assert!(second.starts_with("{ let c = 1.0 ; let e = c ;"));
     }
 
     #[test]
