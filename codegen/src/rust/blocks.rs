@@ -1,7 +1,7 @@
 //! Long functions in blocks.
 //!
 //! Each `let` opens a scope within the scope of the one before, and the Rust compiler walks scopes
-//! recursively when it writes debug information: some six thousand of them overflow its stack. So
+//! recursively when it writes debug information: some four thousand overflow a thread of 2 MB. So
 //! long bodies are cut into blocks that give what is used after them:
 //!
 //! ```text
@@ -16,7 +16,7 @@ use quote::quote;
 use super::expression::ident;
 
 /// Most statements of one scope.
-const LONGEST: usize = 4000;
+const LONGEST: usize = 500;
 
 /// The statements as they are if they are few, else in blocks, cut where the fewest names go on.
 pub(super) fn in_blocks(statements: Vec<TokenStream>) -> Vec<TokenStream> {
