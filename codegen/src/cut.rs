@@ -385,7 +385,12 @@ impl<'p> Folding<'p> {
             _ => return whole,
         };
         let is_folded = terms.iter().any(|term| self.is_moving(term.coefficient));
-        if is_folded { terms } else { whole }
+        match terms[..] {
+            _ if is_folded => terms,
+            // A param in front is a coefficient too.
+            [Term { atom: Some(_), .. }] => terms,
+            _ => whole,
+        }
     }
 
     /// `coefficient` times `value`: what only params weigh in it stays together, and by params alone
@@ -396,7 +401,7 @@ impl<'p> Folding<'p> {
         let (own, rest): (Vec<Term>, Vec<Term>) = terms
             .into_iter()
             .partition(|term| term.atom.is_none() || self.is_moving(term.coefficient));
-        if !rest.is_empty() && !self.is_moving(coefficient) {
+        if !rest.is_empty() && !own.is_empty() && !self.is_moving(coefficient) {
             return Vec::new();
         }
         let mut scaled: Vec<Term> = own
@@ -406,6 +411,13 @@ impl<'p> Folding<'p> {
                 atom: term.atom,
             })
             .collect();
+        if let [term] = rest[..] {
+            scaled.push(Term {
+                coefficient: self.apply(Operation::Multiply, &[coefficient, term.coefficient]),
+                atom: term.atom,
+            });
+            return scaled;
+        }
         let together = if scaled.is_empty() {
             Some(value)
         } else {

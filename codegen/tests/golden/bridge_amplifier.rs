@@ -312,7 +312,7 @@ pub mod bridge_amplifier {
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 7>,
+        pub table_of_φ1: Table<T, 6>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -366,7 +366,7 @@ pub mod bridge_amplifier {
     }
     /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 1], p: &Prepared<T>) -> [T; 7] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 1], p: &Prepared<T>) -> [T; 6] {
         let turn_upper_left = d[0];
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let A_x = p.l * cos_φ1;
@@ -428,30 +428,29 @@ pub mod bridge_amplifier {
             + p.C2 * (ω3 * cos_φ1_minus_φ3);
         let per_A = A.recip();
         let ω3_minus_one = ω3 - 1.0;
-        let t7 = -(p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3))
-            - p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
-        // what φ̈1 is by `φ1` alone
-        let ddφ1_of_φ1 = per_A * t7;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
+            + p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
         let ddφ1_per_F_piezo = per_A * dL_piezo_dφ1;
-        let t8 = p.two_c * (ω3 * t4)
+        let t7 = -(p.two_c + p.two_c * ω3_squared)
             - p.two_c * (ω3_minus_one * (T::from_f64(-1.0) - t4));
-        let ddφ1_per_dφ1 = per_A * t8;
+        let ddφ1_per_dφ1 = per_A * t7;
         let ω3_prime = -(p.per_l * (t3 * (A_x + p.l * (ω3_squared * per_l_X1))));
-        let t9 = t3
+        let t8 = t3
             * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
-        let ν_table_prime = -t9;
-        let t10 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
-        let t11 = -(t10 + p.C2 * (ω3_prime * cos_φ1_minus_φ3))
-            - p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
-        let ddφ1_per_dφ1_squared = per_A * (t11 * 0.5);
+        let ν_table_prime = -t8;
+        let t9 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
+        // slope of the inertia
+        let dA_dφ1 = t9 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
+            + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
+        let ddφ1_per_dφ1_squared = per_A * -(dA_dφ1 * 0.5);
         [
             dL_piezo_dφ1,
             e_piezo,
-            ddφ1_of_φ1,
+            per_A * dP_s_dφ1,
             ddφ1_per_F_piezo,
             ddφ1_per_dφ1,
             ddφ1_per_dφ1_squared,
-            -per_A,
         ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
@@ -466,8 +465,8 @@ pub mod bridge_amplifier {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [dL_piezo_dφ1, e_piezo, ddφ1_of_φ1, ddφ1_per_F_piezo, ddφ1_per_dφ1,
-        ddφ1_per_dφ1_squared, minus_per_A] = p
+        let [dL_piezo_dφ1, e_piezo, per_A_dP_s_dφ1, ddφ1_per_F_piezo, ddφ1_per_dφ1,
+        ddφ1_per_dφ1_squared] = p
             .table_of_φ1
             .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── state ──
@@ -480,9 +479,8 @@ pub mod bridge_amplifier {
         // force of `piezo` on its second end
         let F_piezo = p.ks * (extension - e_piezo)
             + p.cs * (d_extension_dt - dL_piezo_dφ1 * dφ1);
-        let t4 = ddφ1_of_φ1 + ddφ1_per_F_piezo * F_piezo + ddφ1_per_dφ1 * dφ1
+        let ddφ1 = ddφ1_per_F_piezo * F_piezo - per_A_dP_s_dφ1 + ddφ1_per_dφ1 * dφ1
             + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
-        let ddφ1 = t4 + minus_per_A * (p.two_c * dφ1);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

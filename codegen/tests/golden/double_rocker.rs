@@ -818,8 +818,7 @@ pub mod double_rocker {
         let t3 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
         // rate of the angle of `coupler` per unit rate of `crank`
         let ω2 = -t3;
-        let ln_ω2_s2 = p.ln * (ω2 * s2);
-        let dv_ddφ1 = l1_sin_φ1 + ln_ω2_s2;
+        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
         let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
         let t4 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
         // rate of the angle of `rocker` per unit rate of `crank`
@@ -853,7 +852,7 @@ pub mod double_rocker {
         let ddφ1_of_φ1 = per_A * (-dP_dφ1 - p.Fp * (l1_cos_φ1 + p.ln * (ω2 * c2)));
         let dx_A_dφ1 = p.la * sin_φ1;
         let ddφ1_per_F_joint = per_A * dx_A_dφ1;
-        let ddφ1_per_F_f = per_A * (Y - ln_ω2_s2);
+        let ddφ1_per_F_f = -(per_A * dv_ddφ1);
         let t13 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;

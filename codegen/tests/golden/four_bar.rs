@@ -480,8 +480,8 @@ pub mod four_bar {
             - p.m3_r3 * (ω3 * t2);
         // slope of the potential energy of gravity
         let dP_g_dφ1 = t10 * 9.81;
-        // what φ̈1 is by `φ1` alone
-        let ddφ1_of_φ1 = per_A * (-dP_s_dφ1 - dP_g_dφ1);
+        // slope of the potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
         let t11 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
@@ -492,9 +492,10 @@ pub mod four_bar {
         let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t12);
         let t13 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.C3 * (ω2_prime * cos_φ1_minus_φ2);
-        let ddφ1_per_dφ1_squared = per_A
-            * ((-t13 - p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one)) * 0.5);
-        [ddφ1_of_φ1, ddφ1_per_dφ1_squared]
+        // slope of the inertia
+        let dA_dφ1 = t13 + p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one);
+        let ddφ1_per_dφ1_squared = per_A * -(dA_dφ1 * 0.5);
+        [per_A * dP_dφ1, ddφ1_per_dφ1_squared]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -508,11 +509,11 @@ pub mod four_bar {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [ddφ1_of_φ1, ddφ1_per_dφ1_squared] = p
+        let [per_A_dP_dφ1, ddφ1_per_dφ1_squared] = p
             .table_of_φ1
             .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── state ──
-        let ddφ1 = ddφ1_of_φ1 + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
+        let ddφ1 = ddφ1_per_dφ1_squared * (dφ1 * dφ1) - per_A_dP_dφ1;
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

@@ -812,102 +812,102 @@ pub mod six_bar {
         let sin_φ1_minus_φ5 = sin_φ1 * c5 - cos_φ1 * s5;
         let sin_φ2_minus_φ5 = s2 * c5 - c2 * s5;
         let ω2_sin_φ2_minus_φ5 = ω2 * sin_φ2_minus_φ5;
-        let t9 = p.l1 * sin_φ1_minus_φ5 + p.cx * ω2_sin_φ2_minus_φ5;
         let cos_φ2_minus_φ5 = c2 * c5 + s2 * s5;
         let ω2_cos_φ2_minus_φ5 = ω2 * cos_φ2_minus_φ5;
-        let cy_ω2_cos_φ2_minus_φ5 = p.cy * ω2_cos_φ2_minus_φ5;
-        let t10 = p.per_l6 * (per_sin_φ5_minus_φ6 * (t9 + cy_ω2_cos_φ2_minus_φ5));
+        let t9 = p.l1 * sin_φ1_minus_φ5 + p.cx * ω2_sin_φ2_minus_φ5
+            + p.cy * ω2_cos_φ2_minus_φ5;
+        let t10 = per_sin_φ5_minus_φ6 * t9;
+        let t11 = p.per_l6 * t10;
         // rate of the angle of `output_rocker` per unit rate of `crank`
-        let ω6 = -t10;
-        let t11 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω5 * ω5)
+        let ω6 = -t11;
+        let t12 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω5 * ω5)
             + p.C4 * (ω6 * ω6);
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
         let ω2_cos_φ1_minus_φ2 = ω2 * cos_φ1_minus_φ2;
         let sin_φ1_minus_φ2_ω2 = sin_φ1_minus_φ2 * ω2;
         let cos_φ5_minus_φ6 = c5 * c6 + s5 * s6;
         // inertia
-        let A = t11 + p.C5 * ω2_cos_φ1_minus_φ2 + p.C6 * sin_φ1_minus_φ2_ω2
+        let A = t12 + p.C5 * ω2_cos_φ1_minus_φ2 + p.C6 * sin_φ1_minus_φ2_ω2
             + p.C7 * (ω5 * ω6 * cos_φ5_minus_φ6);
         let per_A = A.recip();
         let ω2_minus_one = ω2 - 1.0;
-        let t12 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        let t13 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t12.unwrap_to(turn_coupler);
-        let t13 = ω2_minus_one
+        let φ2_minus_φ2_0 = t13.unwrap_to(turn_coupler);
+        let t14 = ω2_minus_one
             * (T::from_f64(1.2217304763960306) - φ1 + φ2_minus_φ2_0);
-        let t14 = t4 - t3;
-        let t15 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t15 = t4 - t3;
+        let t16 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t15.unwrap_to(turn_rocker);
-        let t16 = p.k * (φ1 - 1.2217304763960306) + p.k * t13
-            + p.k * (t14 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
-        let t17 = t8 - t3;
-        let t18 = (p.c5_0 * s5 - p.s5_0 * c5).atan2(p.c5_0 * c5 + p.s5_0 * s5);
+        let φ3_minus_φ3_0 = t16.unwrap_to(turn_rocker);
+        let t17 = p.k * (φ1 - 1.2217304763960306) + p.k * t14
+            + p.k * (t15 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
+        let t18 = t8 - t3;
+        let t19 = (p.c5_0 * s5 - p.s5_0 * c5).atan2(p.c5_0 * c5 + p.s5_0 * s5);
         // angle of `connector` from the assembled one
-        let φ5_minus_φ5_0 = t18.unwrap_to(turn_connector);
-        let t19 = t16 + p.k * (φ3_minus_φ3_0 * ω3)
-            + p.k * (t17 * (φ2_minus_φ2_0 - φ5_minus_φ5_0));
-        let t20 = t10 - t8;
-        let t21 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        let φ5_minus_φ5_0 = t19.unwrap_to(turn_connector);
+        let t20 = t17 + p.k * (φ3_minus_φ3_0 * ω3)
+            + p.k * (t18 * (φ2_minus_φ2_0 - φ5_minus_φ5_0));
+        let t21 = t11 - t8;
+        let t22 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
         // angle of `output_rocker` from the assembled one
-        let φ6_minus_φ6_0 = t21.unwrap_to(turn_output_rocker);
+        let φ6_minus_φ6_0 = t22.unwrap_to(turn_output_rocker);
         // slope of the potential energy of springs
-        let dP_s_dφ1 = t19 + p.k * (t20 * (φ5_minus_φ5_0 - φ6_minus_φ6_0))
+        let dP_s_dφ1 = t20 + p.k * (t21 * (φ5_minus_φ5_0 - φ6_minus_φ6_0))
             + p.k * (φ6_minus_φ6_0 * ω6);
-        let t22 = p.m2
+        let t23 = p.m2
             * (l1_cos_φ1 + p.half_l2 * (ω2 * c2) - p.constant3 * (ω2 * s2));
-        let t23 = ω6 * t6;
-        let t24 = p.m1_r1 * cos_φ1 + t22 - p.m3_r3 * (ω3 * t2)
-            - p.m5 * (p.l6 * t23 + p.l5_minus_r5 * (ω5 * c5));
+        let t24 = ω6 * t6;
+        let t25 = p.m1_r1 * cos_φ1 + t23 - p.m3_r3 * (ω3 * t2)
+            - p.m5 * (p.l6 * t24 + p.l5_minus_r5 * (ω5 * c5));
         // slope of the potential energy of gravity
-        let dP_g_dφ1 = (t24 - p.m6_r6 * t23) * 9.81;
-        // what φ̈1 is by `φ1` alone
-        let ddφ1_of_φ1 = per_A * (-dP_s_dφ1 - dP_g_dφ1);
-        let t25 = p.c * (ω2_minus_one * (T::from_f64(-1.0) - t3)) + p.c * (t14 * t14);
-        let t26 = p.c
+        let dP_g_dφ1 = (t25 - p.m6_r6 * t24) * 9.81;
+        // slope of the potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        let t26 = p.c * (ω2_minus_one * (T::from_f64(-1.0) - t3)) + p.c * (t15 * t15);
+        let t27 = p.c
             * (ω3
                 * (p.l1_per_l3 * (per_sin_φ2_minus_φ3 * (cos_φ1_s2 - sin_φ1_c2))));
-        let t27 = ω6
-            * (p.per_l6 * (per_sin_φ5_minus_φ6 * (-t9 - cy_ω2_cos_φ2_minus_φ5)));
-        let ddφ1_per_dφ1 = per_A
-            * (-(t25 + t26 + p.c * (t17 * t17) + p.c * (t20 * t20)) - p.c * t27);
+        let t28 = -(t26 + t27 + p.c * (t18 * t18) + p.c * (t21 * t21))
+            - p.c * (ω6 * (p.per_l6 * -t10));
+        let ddφ1_per_dφ1 = per_A * t28;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t28 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
-            - p.l2 * (ω2 * t14 * cos_φ2_minus_φ3);
-        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t28);
-        let t29 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
-            - p.l3 * (ω3 * t14 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t29);
+        let t29 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+            - p.l2 * (ω2 * t15 * cos_φ2_minus_φ3);
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t29);
+        let t30 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+            - p.l3 * (ω3 * t15 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t30);
         let cos_φ1_minus_φ6 = cos_φ1 * c6 + sin_φ1 * s6;
-        let t30 = p.cx * (ω2_prime * sin_φ2_minus_φ6)
+        let t31 = p.cx * (ω2_prime * sin_φ2_minus_φ6)
             - p.l1 * (cos_φ1_minus_φ6 * (ω6 - 1.0));
-        let t31 = t10 - t3;
-        let t32 = t30 + p.cx * (ω2_cos_φ2_minus_φ6 * t31)
+        let t32 = t11 - t3;
+        let t33 = t31 + p.cx * (ω2_cos_φ2_minus_φ6 * t32)
             + p.cy * (ω2_prime * cos_φ2_minus_φ6);
-        let t33 = t32 - p.cy * (ω2_sin_φ2_minus_φ6 * t31)
-            + p.l5 * (ω5 * t20 * cos_φ5_minus_φ6);
-        let ω5_prime = -(p.per_l5 * (per_sin_φ5_minus_φ6 * t33));
-        let t34 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let t34 = t33 - p.cy * (ω2_sin_φ2_minus_φ6 * t32)
+            + p.l5 * (ω5 * t21 * cos_φ5_minus_φ6);
+        let ω5_prime = -(p.per_l5 * (per_sin_φ5_minus_φ6 * t34));
+        let t35 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω5 * ω5_prime);
         let cos_φ1_minus_φ5 = cos_φ1 * c5 + sin_φ1 * s5;
-        let t35 = p.cx * (ω2_prime * sin_φ2_minus_φ5)
+        let t36 = p.cx * (ω2_prime * sin_φ2_minus_φ5)
             - p.l1 * (cos_φ1_minus_φ5 * (ω5 - 1.0));
-        let t36 = t35 + p.cx * (ω2_cos_φ2_minus_φ5 * t17)
+        let t37 = t36 + p.cx * (ω2_cos_φ2_minus_φ5 * t18)
             + p.cy * (ω2_prime * cos_φ2_minus_φ5);
-        let t37 = t36 - p.cy * (ω2_sin_φ2_minus_φ5 * t17)
-            + p.l6 * (ω6 * t20 * cos_φ5_minus_φ6);
-        let ω6_prime = -(p.per_l6 * (per_sin_φ5_minus_φ6 * t37));
-        let t38 = t34 + p.two_C4 * (ω6 * ω6_prime)
+        let t38 = t37 - p.cy * (ω2_sin_φ2_minus_φ5 * t18)
+            + p.l6 * (ω6 * t21 * cos_φ5_minus_φ6);
+        let ω6_prime = -(p.per_l6 * (per_sin_φ5_minus_φ6 * t38));
+        let t39 = t35 + p.two_C4 * (ω6 * ω6_prime)
             + p.C5 * (ω2_prime * cos_φ1_minus_φ2);
-        let t39 = t38 + p.C5 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one)
+        let t40 = t39 + p.C5 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one)
             + p.C6 * (sin_φ1_minus_φ2 * ω2_prime);
-        let t40 = t39 - p.C6 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one)
+        let t41 = t40 - p.C6 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one)
             + p.C7 * (ω6 * cos_φ5_minus_φ6 * ω5_prime);
-        let t41 = p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t20)
-            - (t40 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime));
-        let ddφ1_per_dφ1_squared = per_A * (t41 * 0.5);
-        [ddφ1_of_φ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared, -per_A]
+        let t42 = p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t21)
+            - (t41 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime));
+        let ddφ1_per_dφ1_squared = per_A * (t42 * 0.5);
+        [per_A, per_A * dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -921,13 +921,13 @@ pub mod six_bar {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [ddφ1_of_φ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared, minus_per_A] = p
+        let [per_A, per_A_dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared] = p
             .table_of_φ1
             .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── state ──
-        let t1 = ddφ1_of_φ1 + ddφ1_per_dφ1 * dφ1
+        let t1 = ddφ1_per_dφ1 * dφ1 - per_A_dP_dφ1
             + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
-        let ddφ1 = t1 + minus_per_A * (p.c * dφ1 - p.torque * (p.constant4 * t).sin());
+        let ddφ1 = t1 + per_A * (p.torque * (p.constant4 * t).sin() - p.c * dφ1);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

@@ -390,8 +390,8 @@ pub mod slider_crank {
         let t5 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
         // slope of the potential energy of gravity
         let dP_g_dφ = t5 * 9.81;
-        // what φ̈ is by `φ` alone
-        let ddφ_of_φ = per_A * (-dP_s_dφ - dP_g_dφ);
+        // slope of the potential energy
+        let dP_dφ = dP_s_dφ + dP_g_dφ;
         let t6 = p.c * (ω_ψ_minus_one * (r_per_l_cos_φ_per_c_ψ - -1.0))
             - p.c * (ω_ψ * (p.r_per_l * -cos_φ_per_c_ψ));
         let ddφ_per_dφ = per_A * t6;
@@ -401,10 +401,11 @@ pub mod slider_crank {
             * (p.r * (cos_φ_minus_ψ * ω_ψ_minus_one) + ω_ψ * ν_piston * s_ψ);
         let t7 = p.two_C1 * (ω_ψ * ω_ψ_prime)
             + p.two_ms * (ν_piston * ν_piston_prime);
-        let t8 = -(t7 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ))
-            - p.C2 * (sin_φ_minus_ψ * ω_ψ * ω_ψ_minus_one);
-        let ddφ_per_dφ_squared = per_A * (t8 * 0.5);
-        [ddφ_of_φ, ddφ_per_dφ, ddφ_per_dφ_squared, -per_A]
+        // slope of the inertia
+        let dA_dφ = t7 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
+            + p.C2 * (sin_φ_minus_ψ * ω_ψ * ω_ψ_minus_one);
+        let ddφ_per_dφ_squared = per_A * -(dA_dφ * 0.5);
+        [per_A, per_A * dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -418,12 +419,12 @@ pub mod slider_crank {
     ) {
         let φ = x[0];
         let dφ = x[1];
-        let [ddφ_of_φ, ddφ_per_dφ, ddφ_per_dφ_squared, minus_per_A] = p
+        let [per_A, per_A_dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared] = p
             .table_of_φ
             .values(φ, || functions_of_φ(φ, d, p));
         // ── state ──
-        let ddφ = ddφ_of_φ + ddφ_per_dφ * dφ + ddφ_per_dφ_squared * (dφ * dφ)
-            + minus_per_A * (p.c * dφ - p.torque * (p.constant1 * t).sin());
+        let ddφ = ddφ_per_dφ * dφ - per_A_dP_dφ + ddφ_per_dφ_squared * (dφ * dφ)
+            + per_A * (p.torque * (p.constant1 * t).sin() - p.c * dφ);
         dx[0] = dφ;
         dx[1] = ddφ;
     }

@@ -15,10 +15,11 @@ use crate::system::System;
 const NODES: usize = 17;
 /// Points of the check: the ends, and others that are no nodes.
 const CHECKED: [f64; 8] = [-1.0, -0.97, -0.61, -0.27, 0.13, 0.45, 0.77, 1.0];
-/// What is left out of an expansion, relative to the function's size.
-const LEFT_OUT: f64 = 3e-14;
-/// Largest error off the nodes, relative to the function's size.
-const ALLOWED: f64 = 1e-13;
+/// Largest errors off the nodes, relative to each function's size: the second where none is found
+/// with the first, because closed forms have more rounding of their own.
+const ALLOWED: [f64; 2] = [1e-13, 3e-12];
+/// The share of it that is left out of an expansion.
+const LEFT_OUT: f64 = 0.3;
 /// The interval is at least this many times as long as the expected deflection, if degree 12
 /// suffices: a suddenly applied force deflects an undamped spring twice as far as a resting one,
 /// and a drive that pushes it at the right moments twice as far again.
@@ -80,32 +81,10 @@ pub fn fit(
     let place = Place::new(system, coordinates[which].0);
     let reach = expected(system, coordinates, which).filter(|reach| *reach > 0.0);
     let first = reach.map_or(UNKNOWN, |reach| MARGIN * reach);
-    let mut widest: Option<Fit> = None;
-    let mut half_width = first;
-    for _ in 0..MOST_CHANGES {
-        let Some(expansion) = place.expansion(half_width, count, functions) else {
-            break;
-        };
-        if expansion.degree(NOISE) > CHEAP_DEGREE {
-            break;
-        }
-        if let Some(fit) = place.checked(&expansion, functions)
-            && (widest.is_none() || fit.degree <= CHEAP_DEGREE)
-        {
-            widest = Some(fit);
-        }
-        half_width *= 2.0;
-    }
-    half_width = first;
-    for _ in 0..MOST_CHANGES {
-        if widest.is_some() {
-            break;
-        }
-        let expansion = place.expansion(half_width, count, functions);
-        widest = expansion.and_then(|expansion| place.checked(&expansion, functions));
-        half_width *= 0.5;
-    }
-    widest.unwrap_or(Fit {
+    let mut fits = ALLOWED
+        .iter()
+        .filter_map(|&allowed| place.widest(first, allowed, count, functions));
+    fits.next().unwrap_or(Fit {
         center: place.center,
         half_width: 0.0,
         degree: 0,
@@ -193,6 +172,40 @@ impl<'s> Place<'s> {
         Some(values)
     }
 
+    /// The functions on the widest interval that is worth it, beginning with half width `first`.
+    fn widest(
+        &self,
+        first: f64,
+        allowed: f64,
+        count: usize,
+        functions: Functions<'_>,
+    ) -> Option<Fit> {
+        let mut widest: Option<Fit> = None;
+        let mut half_width = first;
+        for _ in 0..MOST_CHANGES {
+            let expansion = self.expansion(half_width, count, functions);
+            let Some(expansion) = expansion.filter(|e| e.degree(NOISE) <= CHEAP_DEGREE) else {
+                break;
+            };
+            if let Some(fit) = self.checked(&expansion, allowed, functions)
+                && (widest.is_none() || fit.degree <= CHEAP_DEGREE)
+            {
+                widest = Some(fit);
+            }
+            half_width *= 2.0;
+        }
+        half_width = first;
+        for _ in 0..MOST_CHANGES {
+            if widest.is_some() {
+                break;
+            }
+            let expansion = self.expansion(half_width, count, functions);
+            widest = expansion.and_then(|e| self.checked(&e, allowed, functions));
+            half_width *= 0.5;
+        }
+        widest
+    }
+
     /// The functions' expansions on an interval; `None` where they are no numbers.
     fn expansion(
         &self,
@@ -224,12 +237,17 @@ impl<'s> Place<'s> {
     }
 
     /// The polynomials of an expansion, if degree 12 gives the functions to rounding.
-    fn checked(&self, expansion: &Expansion, functions: Functions<'_>) -> Option<Fit> {
-        let degree = expansion.degree(LEFT_OUT);
+    fn checked(
+        &self,
+        expansion: &Expansion,
+        allowed: f64,
+        functions: Functions<'_>,
+    ) -> Option<Fit> {
+        let (half_width, count) = (expansion.half_width, expansion.sizes.len());
+        let degree = expansion.degree(LEFT_OUT * allowed);
         if degree > LARGEST_DEGREE {
             return None;
         }
-        let (half_width, count) = (expansion.half_width, expansion.sizes.len());
         let coefficients = powers(&expansion.coefficients[..=degree], count);
         let exact = self.sample(half_width, &CHECKED, count, functions)?;
         let mut error: f64 = 0.0;
@@ -246,7 +264,7 @@ impl<'s> Place<'s> {
                 }
             }
         }
-        (error <= ALLOWED).then_some(Fit {
+        (error <= allowed).then_some(Fit {
             center: self.center,
             half_width,
             degree,
