@@ -7,14 +7,13 @@
 //! lose nothing: coefficients that fall by 1e-13 within twelve degrees outweigh the growth of the
 //! powers' own ((1 + √2)ᵏ).
 
+use super::chebyshev::{Grid, powers};
 use super::motion::{expected, inputs};
 use super::{LARGEST_DEGREE, Table};
 use crate::system::System;
 
-/// Nodes: enough to see the decay behind the largest degree.
-const NODES: usize = 17;
 /// Points of the check: the ends, and others that are no nodes.
-const CHECKED: [f64; 8] = [-1.0, -0.97, -0.61, -0.27, 0.13, 0.45, 0.77, 1.0];
+const CHECKED: [f64; 8] = [1.0, 0.77, 0.45, 0.13, -0.27, -0.61, -0.97, -1.0];
 /// Largest errors off the nodes, relative to each function's size: the second where none is found
 /// with the first, because closed forms have more rounding of their own.
 const ALLOWED: [f64; 2] = [1e-13, 3e-12];
@@ -93,35 +92,37 @@ pub fn fit(
     })
 }
 
-/// Chebyshev coefficients of functions on an interval.
+/// Expansions of functions on an interval.
 struct Expansion {
     half_width: f64,
     /// Largest absolute values of the functions.
     sizes: Vec<f64>,
-    /// For each degree one for each function.
-    coefficients: Vec<Vec<f64>>,
+    /// A row for each degree.
+    coefficients: Vec<f64>,
 }
 
 impl Expansion {
     /// The lowest degree behind which every function's coefficients add up to no more than
     /// `left_out` times its size.
     fn degree(&self, left_out: f64) -> usize {
-        let of_one = |(function, size): (usize, &f64)| {
-            let mut rest = 0.0;
-            let is_beyond = |k: &usize| {
-                rest += self.coefficients[*k][function].abs();
-                !(rest <= left_out * size)
-            };
-            (1..self.coefficients.len()).rev().find(is_beyond)
-        };
-        let degrees = self.sizes.iter().enumerate().filter_map(of_one);
-        degrees.max().unwrap_or(0)
+        let count = self.sizes.len();
+        let mut rest = vec![0.0; count];
+        for (k, row) in self.coefficients.chunks_exact(count).enumerate().rev() {
+            for (f, coefficient) in row.iter().enumerate() {
+                rest[f] += coefficient.abs();
+                if !(rest[f] <= left_out * self.sizes[f]) {
+                    return k;
+                }
+            }
+        }
+        0
     }
 }
 
 /// Where functions are fitted: about the start.
 struct Place<'s> {
     system: &'s dyn System,
+    grid: Grid,
     coordinate: usize,
     center: f64,
     x: Vec<f64>,
@@ -136,6 +137,7 @@ impl<'s> Place<'s> {
         system.start(&mut x, &mut d);
         Self {
             system,
+            grid: Grid::new(),
             coordinate,
             center: x[coordinate],
             x,
@@ -144,25 +146,32 @@ impl<'s> Place<'s> {
         }
     }
 
-    /// Values of the functions at `points`, in units of the half width: from the middle outward on
-    /// either side, so that the discrete state follows.
+    /// Values of the functions at `points`, in units of the half width and in falling order: from
+    /// the middle outward on either side, so that the discrete state follows. `None` where they are
+    /// no numbers.
     fn sample(
         &self,
         half_width: f64,
         points: &[f64],
         count: usize,
         functions: Functions<'_>,
-    ) -> Option<Vec<Vec<f64>>> {
-        let mut values = vec![vec![0.0; count]; points.len()];
-        let mut outward: Vec<usize> = (0..points.len()).collect();
-        outward.sort_by(|&i, &j| points[i].abs().total_cmp(&points[j].abs()));
-        for side in [false, true] {
-            let mut d = self.d.clone();
-            let mut x = self.x.clone();
-            for &index in outward.iter().filter(|&&i| (points[i] < 0.0) == side) {
+    ) -> Option<Vec<f64>> {
+        let mut values = vec![0.0; points.len() * count];
+        let (mut x, mut d) = (self.x.clone(), self.d.clone());
+        let middle = points.partition_point(|point| *point >= 0.0);
+        for side in [0..middle, middle..points.len()] {
+            let is_above = side.start == 0;
+            d.copy_from_slice(&self.d);
+            for step in 0..side.len() {
+                let index = if is_above {
+                    side.end - 1 - step
+                } else {
+                    side.start + step
+                };
                 let q = self.center + half_width * points[index];
-                functions(q, &d, &mut values[index]);
-                if values[index].iter().any(|value| !value.is_finite()) {
+                let row = &mut values[index * count..][..count];
+                functions(q, &d, row);
+                if !row.iter().all(|value| value.is_finite()) {
                     return None;
                 }
                 x[self.coordinate] = q;
@@ -213,20 +222,21 @@ impl<'s> Place<'s> {
         count: usize,
         functions: Functions<'_>,
     ) -> Option<Expansion> {
-        let angle = std::f64::consts::PI / (2 * NODES) as f64;
-        // A quarter turn is NODES steps, so that every cosine that is needed is one of these.
-        let cosines: Vec<f64> = (0..4 * NODES).map(|k| (k as f64 * angle).cos()).collect();
-        let nodes: Vec<f64> = (0..NODES)
-            .map(|j| self.stands_at(half_width, cosines[2 * j + 1]))
-            .collect();
-        let values = self.sample(half_width, &nodes, count, functions)?;
-        let sizes = (0..count)
-            .map(|f| values.iter().map(|row| row[f].abs()).fold(0.0, f64::max))
-            .collect();
+        let values = self.sample(half_width, self.grid.nodes(), count, functions)?;
+        let mut sizes = vec![0.0; count];
+        for row in values.chunks_exact(count) {
+            for (size, value) in sizes.iter_mut().zip(row) {
+                *size = value.abs().max(*size);
+            }
+        }
+        let taken_at = self
+            .grid
+            .nodes()
+            .map(|node| self.stands_at(half_width, node));
         Some(Expansion {
             half_width,
             sizes,
-            coefficients: corrected(&values, &nodes, &cosines, count),
+            coefficients: self.grid.expand_moved(&values, &taken_at, count),
         })
     }
 
@@ -236,29 +246,26 @@ impl<'s> Place<'s> {
         (self.center + half_width * point - self.center) / half_width
     }
 
-    /// The polynomials of an expansion, if degree 12 gives the functions to rounding.
+    /// The polynomials of an expansion, if degree 12 gives the functions well enough.
     fn checked(
         &self,
         expansion: &Expansion,
         allowed: f64,
         functions: Functions<'_>,
     ) -> Option<Fit> {
-        let (half_width, count) = (expansion.half_width, expansion.sizes.len());
         let degree = expansion.degree(LEFT_OUT * allowed);
         if degree > LARGEST_DEGREE {
             return None;
         }
-        let coefficients = powers(&expansion.coefficients[..=degree], count);
+        let (half_width, count) = (expansion.half_width, expansion.sizes.len());
+        let coefficients = powers(&expansion.coefficients[..(degree + 1) * count], count);
         let exact = self.sample(half_width, &CHECKED, count, functions)?;
         let mut error: f64 = 0.0;
-        for (point, exact) in CHECKED.iter().zip(&exact) {
+        for (point, exact) in CHECKED.iter().zip(exact.chunks_exact(count)) {
             let s = self.stands_at(half_width, *point);
             for (f, size) in expansion.sizes.iter().enumerate() {
-                let value = coefficients
-                    .iter()
-                    .rev()
-                    .fold(0.0, |sum, row| sum * s + row[f]);
-                let off = (value - exact[f]).abs();
+                let rows = coefficients.iter().rev();
+                let off = (rows.fold(0.0, |sum, row| sum * s + row[f]) - exact[f]).abs();
                 if off > 0.0 {
                     error = error.max(off / size);
                 }
@@ -272,80 +279,4 @@ impl<'s> Place<'s> {
             coefficients,
         })
     }
-}
-
-/// Chebyshev coefficients of the polynomials through values that were taken at `nodes`, next to the
-/// nodes themselves: the slopes of a first expansion move them there.
-fn corrected(values: &[Vec<f64>], nodes: &[f64], cosines: &[f64], count: usize) -> Vec<Vec<f64>> {
-    let slopes = derivative(&expand(values, cosines, count), count);
-    let moved: Vec<Vec<f64>> = (0..NODES)
-        .map(|j| {
-            let step = cosines[2 * j + 1] - nodes[j];
-            (0..count)
-                .map(|f| {
-                    let slope: f64 = (0..NODES)
-                        .map(|k| slopes[k][f] * cosines[k * (2 * j + 1) % (4 * NODES)])
-                        .sum();
-                    values[j][f] + slope * step
-                })
-                .collect()
-        })
-        .collect();
-    expand(&moved, cosines, count)
-}
-
-/// Chebyshev coefficients of the polynomials through values at the nodes.
-fn expand(values: &[Vec<f64>], cosines: &[f64], count: usize) -> Vec<Vec<f64>> {
-    (0..NODES)
-        .map(|k| {
-            let share = if k == 0 { 1.0 } else { 2.0 } / NODES as f64;
-            (0..count)
-                .map(|f| {
-                    let sum: f64 = (0..NODES)
-                        .map(|j| values[j][f] * cosines[k * (2 * j + 1) % (4 * NODES)])
-                        .sum();
-                    share * sum
-                })
-                .collect()
-        })
-        .collect()
-}
-
-/// Chebyshev coefficients of the derivatives: c'ₖ₋₁ = c'ₖ₊₁ + 2k cₖ.
-fn derivative(expansion: &[Vec<f64>], count: usize) -> Vec<Vec<f64>> {
-    let n = expansion.len();
-    let mut slopes = vec![vec![0.0; count]; n + 1];
-    for k in (1..n).rev() {
-        for f in 0..count {
-            slopes[k - 1][f] = slopes[k + 1][f] + 2.0 * k as f64 * expansion[k][f];
-        }
-    }
-    slopes[0].iter_mut().for_each(|slope| *slope *= 0.5);
-    slopes
-}
-
-/// Coefficients of powers, by Tₖ₊₁ = 2 s Tₖ - Tₖ₋₁.
-fn powers(expansion: &[Vec<f64>], count: usize) -> Vec<Vec<f64>> {
-    let n = expansion.len();
-    let mut coefficients = vec![vec![0.0; count]; n];
-    let mut before = vec![0.0; n];
-    let mut now = vec![0.0; n];
-    now[0] = 1.0;
-    for (k, row) in expansion.iter().enumerate() {
-        for (power, weight) in now.iter().enumerate() {
-            for f in 0..count {
-                coefficients[power][f] += weight * row[f];
-            }
-        }
-        let factor = if k == 0 { 1.0 } else { 2.0 };
-        let next: Vec<f64> = (0..n)
-            .map(|power| {
-                let raised = if power == 0 { 0.0 } else { now[power - 1] };
-                factor * raised - before[power]
-            })
-            .collect();
-        before = now;
-        now = next;
-    }
-    coefficients
 }

@@ -10,6 +10,7 @@
 //! never change afterwards, so that a run depends on nothing but its own inputs; outside of the
 //! interval the closed form is evaluated.
 
+mod chebyshev;
 mod fit;
 mod motion;
 
