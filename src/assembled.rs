@@ -6,9 +6,10 @@
 use flexure_model_dsl::equations::{Definition, DrawnEnd, Equations, Shape, ShownUnit, Solve};
 use flexure_model_dsl::symbolic::{Evaluator, Expr};
 use flexure_runtime::diagnostic::Diagnostic;
-use flexure_runtime::failure::{Unit, render};
+use flexure_runtime::failure::{Unit, quantity, render};
 use flexure_runtime::newton;
 use flexure_runtime::system::System;
+use flexure_runtime::table::TableReport;
 
 use crate::reach::{self, Reach};
 
@@ -131,6 +132,9 @@ impl<'m> Assembled<'m> {
             .collect();
         let reach = self.reach();
         facts.extend(reach::facts(equations, &reach));
+        let tables = self.system.tables();
+        let tables = tables.iter().map(|table| table_fact(equations, table));
+        facts.extend(tables.map(|words| ("table".to_owned(), words)));
         facts
     }
 
@@ -201,6 +205,30 @@ fn size(places: &Places) -> f64 {
     } else {
         1.0
     }
+}
+
+/// What there is to say of a table: its interval, and how good it is there.
+fn table_fact(equations: &Equations, table: &TableReport) -> String {
+    let state = &equations.states[table.coordinate];
+    if table.half_width == 0.0 {
+        return format!(
+            "{}: none, its {} functions are evaluated in closed form",
+            state.name, table.functions
+        );
+    }
+    let unit = if state.unit == "rad" {
+        Unit::Degree
+    } else {
+        Unit::Metre
+    };
+    let [from, to] = [-1.0, 1.0].map(|side| {
+        let end = table.center + side * table.half_width;
+        quantity(end, unit)
+    });
+    format!(
+        "{} from {from} to {to}: {} functions of degree {}, off by {:.0e} at most",
+        state.name, table.functions, table.degree, table.error
+    )
 }
 
 /// What is zero but for rounding is shown as zero: angles in rad and lengths in m alike.

@@ -163,6 +163,7 @@ impl Model {
     pub fn design(&self) -> Design {
         Design {
             values: self.inner.tape.defaults(),
+            is_exact: false,
             model: self.clone(),
         }
     }
@@ -191,6 +192,7 @@ fn read(path: &Path) -> Result<String, String> {
 pub struct Design {
     model: Model,
     values: Vec<f64>,
+    is_exact: bool,
 }
 
 impl Design {
@@ -253,13 +255,25 @@ impl Design {
         Ok(self)
     }
 
+    /// Whether right-hand sides have functions of one coordinate in closed form everywhere, instead
+    /// of by tables near the start.
+    pub fn exact(&mut self, wanted: bool) -> &mut Self {
+        self.is_exact = wanted;
+        self
+    }
+
     /// Closes the loops, picks branches and computes all that depends on params alone.
     ///
     /// # Errors
     ///
     /// What is wrong with the parameter set: a loop that cannot close, a negative mass.
     pub fn prepare(&self) -> Result<impl System + Clone + use<>, Diagnostic> {
-        self.model.inner.tape.prepare(&self.values)
+        let prepared = self.model.inner.tape.prepare(&self.values)?;
+        Ok(if self.is_exact {
+            prepared.exact()
+        } else {
+            prepared
+        })
     }
 
     /// The mechanism as assembled with these params: facts and places for people.

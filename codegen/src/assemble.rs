@@ -1,7 +1,7 @@
 //! From equations to the staged program.
 //!
 //! ```text
-//! definitions ──▶ derivatives ──▶ sines from geometry ──▶ values (shared, staged) ──▶ functions
+//! definitions ──▶ derivatives ──▶ sines from geometry ──▶ values (shared, staged) ──▶ functions ──▶ cut
 //! ```
 
 use std::collections::HashSet;
@@ -11,6 +11,7 @@ use flexure_model_dsl::symbolic::{Expr, Graph, Symbol};
 use flexure_runtime::failure::{Failure, Unit};
 use flexure_runtime::system::{Causality, Variable};
 
+use crate::cut::cut;
 use crate::lower::{Binding, Context, Lowering};
 use crate::program::{Check, Event, Function, Message, Program, Set, Solve, Symbols};
 use crate::symbolic::Symbolic;
@@ -23,6 +24,7 @@ pub fn program(equations: &Equations) -> Program {
     let mut builder = Builder::new(equations, &graph, &prepared);
     builder.functions();
     builder.parameter_stage();
+    cut(&mut builder.program);
     builder.program
 }
 

@@ -14,6 +14,7 @@
 //! derivatives, stages) is done before they start, so that they only write down.
 
 mod assemble;
+mod cut;
 mod directions;
 mod dot;
 mod jacobian;
@@ -32,7 +33,9 @@ mod values;
 pub use assemble::{program, unit};
 pub use dot::dot;
 pub use listing::listing;
-pub use program::{Check, Event, Function, Message, Name, Program, Set, Solve, Symbols};
+pub use program::{
+    Check, Configuration, Event, Function, Message, Name, Program, Set, Solve, Symbols,
+};
 pub use rust::{Texts, module_name, rust, rust_source, skeleton};
 pub use tape::tape;
 pub use tape_listing::tape_listing;

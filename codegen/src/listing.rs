@@ -19,7 +19,9 @@ pub fn listing(program: &Program) -> String {
     let mut text = format!("model {}\n", program.name);
     writer.parameter_stage(&mut text);
     let events = program.event_rows.iter().map(|event| event.name.as_str());
-    let titles = function_titles(program.pass_kink.len(), events);
+    let tabulated = program.configurations.iter();
+    let tabulated = tabulated.map(|c| program.coordinate_text(c));
+    let titles = function_titles(tabulated, program.pass_kink.len(), events);
     for (name, function) in titles.into_iter().zip(program.functions()) {
         if !function.results.is_empty() {
             writer.function(&mut text, &name, function);
@@ -190,7 +192,7 @@ fn formula(program: &Program, value: Value, depth: usize, is_root: bool) -> Stri
         Node::State(index) => return of(&symbols.states, index),
         Node::Discrete(index) => return of(&symbols.discretes, index),
         Node::Input(index) => return of(&symbols.inputs, index),
-        Node::Lookup(..) => return "table".to_owned(),
+        Node::Tabulated(..) | Node::Lookup(..) => return "table".to_owned(),
         Node::Apply(operation, operands) => (operation, operands),
     };
     if depth == 0 {

@@ -160,6 +160,14 @@ impl Described {
             Node::Discrete(index) => of(&symbols.discretes, index),
             Node::Input(index) => of(&symbols.inputs, index),
             Node::Lookup(..) => None,
+            Node::Tabulated(_) => {
+                let mut tabulated = program.configurations.iter().flat_map(|configuration| {
+                    let closed_forms = configuration.functions.roots();
+                    configuration.leaves.iter().zip(closed_forms)
+                });
+                let (_, closed_form) = tabulated.find(|(leaf, _)| **leaf == value)?;
+                self.name(closed_form).map(str::to_owned)
+            }
             Node::Apply(operation, [a, b, _]) => self.apply(program, operation, a, b),
         }
     }

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use flexure_runtime::failure::Failure;
 use flexure_runtime::system::Variable;
 
-use crate::values::{Value, Values};
+use crate::values::{Node, Stage, Value, Values};
 
 /// A model as functions over one arena of values.
 #[derive(Clone, Debug, Default)]
@@ -46,6 +46,8 @@ pub struct Program {
     pub start_states: Vec<Value>,
     /// Discrete states at the start.
     pub start_discretes: Vec<Value>,
+    /// For each coordinate with a table its functions.
+    pub configurations: Vec<Configuration>,
     /// Rates of the continuous states.
     pub rhs: Function,
     /// Entries of ∂rates/∂states, row by row, that are not zero.
@@ -74,9 +76,11 @@ pub struct Program {
 
 /// What listings call the functions of a model with these kinks and events.
 pub(crate) fn function_titles<'e>(
+    tabulated: impl Iterator<Item = &'e str>,
     kinks: usize,
     events: impl Iterator<Item = &'e str>,
 ) -> Vec<String> {
+    let mut titles: Vec<String> = tabulated.map(|q| format!("functions of {q}")).collect();
     let always = [
         "rhs",
         "jacobian",
@@ -87,7 +91,7 @@ pub(crate) fn function_titles<'e>(
         "accept",
         "closures",
     ];
-    let mut titles: Vec<String> = always.map(str::to_owned).into();
+    titles.extend(always.map(str::to_owned));
     titles.extend((0..kinks).map(|index| format!("pass kink {index}")));
     for event in events {
         titles.push(format!("pass event `{event}`, states"));
@@ -143,6 +147,17 @@ impl Function {
     pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
         self.results.iter().map(|(_, value)| *value)
     }
+}
+
+/// Functions of one coordinate alone: a table gives them near the start, else they are evaluated.
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// Position of the coordinate among the states.
+    pub coordinate: u32,
+    /// Their closed forms.
+    pub functions: Function,
+    /// What stands for each of them in the right-hand side.
+    pub leaves: Vec<Value>,
 }
 
 /// A condition on params.
@@ -215,9 +230,34 @@ impl Program {
             .chain(prepared.iter().copied())
     }
 
+    /// Positions of the coordinates and of their rates among the states.
+    pub fn coordinates(&self) -> Vec<(usize, usize)> {
+        let mut pairs = Vec::new();
+        for index in 0..self.values.len() {
+            let value = self.values.at(index);
+            if let Node::State(position) = self.values.node(value)
+                && self.values.stage(value) == Stage::Configuration
+                && let Some((_, rate)) = self.rhs.results.iter().find(|(to, _)| *to == position)
+                && let Node::State(rate) = self.values.node(*rate)
+            {
+                pairs.push((position as usize, rate as usize));
+            }
+        }
+        pairs.sort_unstable();
+        pairs
+    }
+
+    /// What the equations call the coordinate of a table.
+    pub(crate) fn coordinate_text(&self, configuration: &Configuration) -> &str {
+        let position = configuration.coordinate as usize;
+        self.symbols.states.get(position).map_or("", |text| text)
+    }
+
     /// Every function of time, state and inputs, in the order in which listings have them.
     pub fn functions(&self) -> Vec<&Function> {
-        let mut functions = vec![
+        let tabulated = self.configurations.iter();
+        let mut functions: Vec<&Function> = tabulated.map(|c| &c.functions).collect();
+        functions.extend([
             &self.rhs,
             &self.jacobian,
             &self.output_values,
@@ -226,7 +266,7 @@ impl Program {
             &self.events,
             &self.accept,
             &self.closures,
-        ];
+        ]);
         functions.extend(&self.pass_kink);
         for event in &self.event_rows {
             functions.extend([&event.states, &event.discretes]);

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use flexure_runtime::tape::{
-    Block, Check, Fixed, Instruction, Load, Operation, PrepareTape, Solve, Step, Tape, TapeEvent,
-    TapeModel, TapeProgram,
+    Block, Check, Fixed, Instruction, Load, Operation, PrepareTape, Solve, Step, Tape,
+    TapeConfiguration, TapeEvent, TapeModel, TapeProgram,
 };
 
 use crate::program::{Function, Program};
@@ -16,6 +16,14 @@ pub fn tape(program: &Program) -> TapeModel {
     let mut registers = PrepareRegisters::default();
     let prepare = prepare(program, &mut registers);
     let mut function = |f: &Function| function_tape(&program.values, f, &mut registers);
+    let configurations = program
+        .configurations
+        .iter()
+        .map(|configuration| TapeConfiguration {
+            coordinate: configuration.coordinate as usize,
+            functions: function(&configuration.functions),
+        })
+        .collect();
     let rhs = function(&program.rhs);
     let jacobian = function(&program.jacobian);
     let output_values = function(&program.output_values);
@@ -49,6 +57,8 @@ pub fn tape(program: &Program) -> TapeModel {
         outputs: program.outputs.clone(),
         tables: program.tables.clone(),
         prepare,
+        coordinates: program.coordinates(),
+        configurations,
         rhs,
         jacobian,
         output_values,
@@ -237,6 +247,7 @@ fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegi
             Node::State(index) => Load::State(index),
             Node::Discrete(index) => Load::Discrete(index),
             Node::Input(index) => Load::Input(index),
+            Node::Tabulated(index) => Load::Tabulated(index),
             Node::Constant(_)
             | Node::Param(_)
             | Node::Unknown(_)

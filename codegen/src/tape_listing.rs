@@ -13,7 +13,9 @@ pub fn tape_listing(model: &TapeModel) -> String {
     let program = model.program();
     let mut text = format!("tape of {}\n", program.name);
     prepare(&mut text, program);
-    let mut tapes = vec![
+    let tabulated = program.configurations.iter();
+    let mut tapes: Vec<&Tape> = tabulated.map(|c| &c.functions).collect();
+    tapes.extend([
         &program.rhs,
         &program.jacobian,
         &program.output_values,
@@ -22,13 +24,15 @@ pub fn tape_listing(model: &TapeModel) -> String {
         &program.events,
         &program.accept,
         &program.closures,
-    ];
+    ]);
     tapes.extend(&program.pass_kink);
     for event in &program.event_rows {
         tapes.extend([&event.states, &event.discretes]);
     }
     let events = program.event_rows.iter().map(|event| event.name.as_ref());
-    let titles = function_titles(program.pass_kink.len(), events);
+    let tabulated = program.configurations.iter();
+    let tabulated = tabulated.map(|c| program.states[c.coordinate].name.as_ref());
+    let titles = function_titles(tabulated, program.pass_kink.len(), events);
     for (name, tape) in titles.iter().zip(tapes) {
         function(&mut text, name, tape, program);
     }
@@ -86,10 +90,11 @@ fn function(text: &mut String, name: &str, tape: &Tape, program: &TapeProgram) {
     }
     for load in &tape.loads {
         let name = match load {
-            Load::Time => "t",
-            Load::State(index) => program.states[*index as usize].name.as_ref(),
-            Load::Discrete(index) => program.discretes[*index as usize].name.as_ref(),
-            Load::Input(index) => program.inputs[*index as usize].name.as_ref(),
+            Load::Time => "t".to_owned(),
+            Load::State(index) => program.states[*index as usize].name.to_string(),
+            Load::Discrete(index) => program.discretes[*index as usize].name.to_string(),
+            Load::Input(index) => program.inputs[*index as usize].name.to_string(),
+            Load::Tabulated(index) => format!("tabulated {index}"),
         };
         let _ = writeln!(text, "  r{register} = {name}");
         register += 1;

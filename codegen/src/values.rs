@@ -48,6 +48,8 @@ pub enum Node {
     Discrete(u32),
     /// An input.
     Input(u32),
+    /// A function of one coordinate that a table gives, counted over all coordinates.
+    Tabulated(u32),
     /// An operation; operands beyond its arity repeat the first.
     Apply(Operation, [Value; 3]),
     /// An entry of a table.

@@ -10,6 +10,7 @@ pub mod newton;
 pub mod real;
 pub mod simulate;
 pub mod system;
+pub mod table;
 pub mod tape;
 
 pub use simulate::{Run, simulate};

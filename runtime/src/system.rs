@@ -9,6 +9,8 @@
 
 use std::borrow::Cow;
 
+use crate::table::TableReport;
+
 /// What a variable is to the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Causality {
@@ -125,4 +127,15 @@ pub trait System: Send + Sync {
     fn closures(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]);
     /// Name of a loop by its bodies: `crank–coupler–rocker`.
     fn loop_name(&self, index: usize) -> &str;
+
+    /// The tables by which the right-hand side has its functions of one coordinate; none if it
+    /// evaluates closed forms everywhere.
+    fn tables(&self) -> Vec<TableReport> {
+        Vec::new()
+    }
+    /// Whether a coordinate of `x` is outside of its table's interval, so that the right-hand side
+    /// evaluates the closed form there.
+    fn is_outside_tables(&self, _x: &[f64]) -> bool {
+        false
+    }
 }

@@ -134,6 +134,7 @@ impl Portrait<'_> {
             let statistics = summary.statistics;
             let counts = [
                 ("steps", statistics.accepted),
+                ("steps outside tables", statistics.outside_tables),
                 ("steps rejected", statistics.rejected),
                 ("evaluations", statistics.evaluations),
                 ("kinks of drives", statistics.kinks),

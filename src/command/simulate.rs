@@ -37,6 +37,9 @@ pub struct Arguments {
     /// Relative tolerance of the adaptive steps
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = tolerance, default_value = "1e-8")]
     pub rtol: f64,
+    /// Functions of one coordinate in closed form, not by tables that are made when a run starts
+    #[arg(long)]
+    exact: bool,
     /// Time between rows; 0 for a row per step of the integrator [default: 1/2000 of the run]
     #[arg(long, value_name = "DT", allow_hyphen_values = true, value_parser = non_negative_time)]
     every: Option<f64>,
@@ -71,7 +74,8 @@ fn picture(text: &str) -> Result<PathBuf, String> {
 /// written. What there is of a failed run is written all the same.
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     check_files(arguments)?;
-    let chosen = arguments.settings.choose(terminal)?;
+    let mut chosen = arguments.settings.choose(terminal)?;
+    chosen.design.exact(arguments.exact);
     let system = chosen.design.prepare().map_err(Failure::model)?;
     // Files are opened before the run, so that a wrong place shows at once.
     let table_path = arguments
@@ -129,6 +133,13 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     }
     match outcome {
         Ok(summary) => {
+            let statistics = &summary.statistics;
+            if statistics.outside_tables > 0 {
+                terminal.note(format_args!(
+                    "{} of {} steps were outside of the tables' intervals and took the closed form",
+                    statistics.outside_tables, statistics.accepted
+                ));
+            }
             if let Ending::Stopped(why) = &summary.ending {
                 terminal.note(format_args!("ended at t = {}: {why}", seconds(summary.end)));
             }

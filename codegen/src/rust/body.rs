@@ -6,6 +6,7 @@ use flexure_runtime::tape::Operation;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::configuration::function_name;
 use super::expression::{Piece, apply, ident, unsuffixed};
 use crate::names::{Described, Namer};
 use crate::program::Program;
@@ -15,7 +16,7 @@ use crate::values::{Node, Stage, Value};
 const LINE: usize = 64;
 
 /// Names that generated functions use themselves, or that would be patterns instead of names.
-pub(super) const RESERVED: [&str; 34] = [
+pub(super) const RESERVED: [&str; 38] = [
     "t",
     "x",
     "d",
@@ -36,6 +37,10 @@ pub(super) const RESERVED: [&str; 34] = [
     "EQUATIONS_LATEX",
     "FAILURES",
     "TURNING",
+    "COORDINATES",
+    "Table",
+    "TableReport",
+    "prepared",
     "Self",
     "Real",
     "System",
@@ -88,6 +93,14 @@ impl<'w, 'p> Body<'w, 'p> {
         Self::new(writer, false)
     }
 
+    /// An empty body of a function of the configuration alone, which no comment needs to say.
+    pub(super) fn of_configuration(writer: &'w Writer<'p>) -> Self {
+        Self {
+            stage: Some(Stage::Configuration),
+            ..Self::new(writer, false)
+        }
+    }
+
     /// An empty body of `prepare`, in plain numbers.
     pub(super) fn prepare(writer: &'w Writer<'p>) -> Self {
         Self::new(writer, true)
@@ -98,6 +111,9 @@ impl<'w, 'p> Body<'w, 'p> {
         let mut namer = Namer::without(&RESERVED);
         for table in tables {
             namer.name(&table);
+        }
+        for configuration in &writer.program.configurations {
+            namer.name(&function_name(writer.program, configuration));
         }
         Self {
             writer,
@@ -284,7 +300,7 @@ impl<'w, 'p> Body<'w, 'p> {
             .push(quote!(#stage #comment let #name = #tokens;));
     }
 
-    fn wanted_name(&mut self, value: Value) -> String {
+    pub(super) fn wanted_name(&mut self, value: Value) -> String {
         match self.writer.described.name(value) {
             Some(name) => name.to_owned(),
             None => {
@@ -317,7 +333,7 @@ impl<'w, 'p> Body<'w, 'p> {
     }
 
     /// Names a given quantity on its first use: `let φ1 = x[0];`.
-    fn load(&mut self, value: Value) {
+    pub(super) fn load(&mut self, value: Value) {
         if self.pieces.contains_key(&value) {
             return;
         }

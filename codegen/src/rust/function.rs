@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::blocks::in_blocks;
 use super::body::{Body, Writer};
+use super::configuration;
 use super::expression::{ident, unsuffixed};
 use crate::program::Function;
 use crate::schedule::moving_order;
@@ -27,14 +28,15 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         program.loop_names.len(),
     ];
     let entries = n * n;
+    let rhs = {
+        let mut body = Body::generic(writer);
+        configuration::tabulated(writer, &mut body);
+        assign(writer, &mut body, &program.rhs, "dx");
+        let doc = "dx/dt. Where a loop cannot close, entries are not numbers.";
+        let body = in_blocks(body.finish());
+        signature(writer, "rhs", Takes::Everything, "dx", n, doc, &body)
+    };
     let simple = [
-        (
-            "rhs",
-            &program.rhs,
-            n,
-            "dx",
-            "dx/dt. Where a loop cannot close, entries are not numbers.",
-        ),
         (
             "jacobian",
             &program.jacobian,
@@ -101,7 +103,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
     };
     let passing = pass_kink(writer);
     let event = pass_event(writer);
-    quote!(#(#simple)* #accepted #kinks #passing #event)
+    quote!(#rhs #(#simple)* #accepted #kinks #passing #event)
 }
 
 fn signature(

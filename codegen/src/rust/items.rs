@@ -7,6 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::body::{Writer, table_name};
+use super::configuration;
 use super::expression::{ident, literal, unsuffixed};
 use crate::names::Namer;
 use crate::program::{Message, Program};
@@ -113,6 +114,14 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
         );
         format!(" `{}`{}", code(&text), sentence(meaning))
     });
+    let tables = configuration::fields(program);
+    let mapped = configuration::mapped(program);
+    let exact = if program.configurations.is_empty() {
+        quote!(self)
+    } else {
+        let none = configuration::no_tables(program);
+        quote!(Self { #none ..self })
+    };
     quote! {
         /// Everything that depends on params alone, as the functions of this module need it.
         #[derive(Clone, Debug)]
@@ -122,6 +131,7 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
             /// Discrete state at the start.
             pub start_discretes: [T; #d],
             #(#[doc = #docs] pub #fields: T,)*
+            #tables
         }
 
         impl<T: Copy> Prepared<T> {
@@ -131,7 +141,15 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
                     start_states: self.start_states.map(&turn),
                     start_discretes: self.start_discretes.map(&turn),
                     #(#fields: turn(self.#fields),)*
+                    #mapped
                 }
+            }
+        }
+
+        impl Prepared<f64> {
+            /// The same without tables: functions of one coordinate in closed form everywhere.
+            pub fn exact(self) -> Self {
+                #exact
             }
         }
     }
@@ -178,6 +196,17 @@ pub(super) fn tables(
     let failures = messages.iter().map(failure);
     let failure_count = unsuffixed(messages.len());
     let turning = program.turning.iter().map(|index| unsuffixed(*index));
+    let coordinates = program.coordinates().into_iter().map(|(coordinate, rate)| {
+        let [coordinate, rate] = [coordinate, rate].map(unsuffixed);
+        quote!((#coordinate, #rate))
+    });
+    let coordinate_count = unsuffixed(coordinates.len());
+    let coordinates = (!program.configurations.is_empty()).then(|| {
+        quote! {
+            /// Positions of the coordinates and of their rates among the states.
+            static COORDINATES: [(usize, usize); #coordinate_count] = [#(#coordinates),*];
+        }
+    });
     let turning_count = unsuffixed(program.turning.len());
     let equations = text(equations);
     let latex = text(latex);
@@ -185,6 +214,7 @@ pub(super) fn tables(
         /// Every quantity with a name: params, states, discrete states, inputs, outputs.
         pub static VARIABLES: [Variable; #count] = [#(#rows),*];
         #(#statics)*
+        #coordinates
         static TURNING: [usize; #turning_count] = [#(#turning),*];
         static FAILURES: [Failure; #failure_count] = [#(#failures),*];
         #(#tables)*

@@ -11,6 +11,7 @@
 
 mod blocks;
 mod body;
+mod configuration;
 mod expression;
 mod function;
 mod items;
@@ -82,6 +83,7 @@ fn module(
     let (prepare, messages) = prepare::prepare(&writer);
     let params = items::params(&writer, &prepare);
     let prepared = items::prepared_type(&writer);
+    let configurations = configuration::functions(&writer);
     let functions = function::functions(&writer);
     let system = system::system(&writer);
     let tables = items::tables(program, &messages, texts.equations, texts.latex);
@@ -100,9 +102,11 @@ fn module(
             use #runtime::newton;
             use #runtime::real::Real;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
+            use #runtime::table::{Table, TableReport};
 
             #params
             #prepared
+            #configurations
             #functions
             #system
             #tables
@@ -157,6 +161,9 @@ fn param_names(program: &Program) -> Vec<String> {
 /// Names of the fields of `Prepared`: the equations' own first, so that they stay as they are.
 fn field_names(program: &Program, described: &Described) -> HashMap<Value, String> {
     let mut namer = Namer::without(&["start_states", "start_discretes"]);
+    for configuration in &program.configurations {
+        namer.name(&configuration::table_field(program, configuration));
+    }
     let mut fields = HashMap::new();
     let values = prepared(program);
     let is_named =

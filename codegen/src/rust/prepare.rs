@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, Writer};
+use super::configuration;
 use super::expression::{ident, unsuffixed};
 use crate::names::unknown_names;
 use crate::program::{Message, Solve};
@@ -72,14 +73,19 @@ pub(super) fn prepare(writer: &Writer<'_>) -> (Vec<TokenStream>, Vec<Message>) {
         .start_discretes
         .iter()
         .map(|v| body.number_tokens(*v));
+    let none = configuration::no_tables(program);
+    let fits = configuration::fits(writer);
+    let mutable = (!program.configurations.is_empty()).then(|| quote!(mut));
     let prepared = quote! {
-        let prepared = Prepared {
+        let #mutable prepared = Prepared {
             start_states: [#(#states),*],
             start_discretes: [#(#discretes),*],
-            #(#assignments),*
+            #(#assignments,)*
+            #none
         };
         check_start(prepared.states(), &prepared.start_states)?;
         check_start(prepared.discretes(), &prepared.start_discretes)?;
+        #fits
         Ok(prepared)
     };
     body.push(prepared);

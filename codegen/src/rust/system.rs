@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::Writer;
+use super::configuration;
 use super::expression::unsuffixed;
 
 /// The implementation.
@@ -23,6 +24,7 @@ pub(super) fn system(writer: &Writer<'_>) -> TokenStream {
             let reason = event.stop.as_deref()?;
             Some(quote!(#index => EventAction::Stop(Cow::Borrowed(#reason)),))
         });
+    let tables = configuration::of_system(program);
     quote! {
         impl System for Prepared<f64> {
             fn states(&self) -> &[Variable] {
@@ -111,6 +113,7 @@ pub(super) fn system(writer: &Writer<'_>) -> TokenStream {
                 const NAMES: [&str; #loop_count] = [#(#loop_names),*];
                 NAMES[index]
             }
+            #tables
         }
     }
 }

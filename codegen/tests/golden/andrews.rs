@@ -22,6 +22,7 @@ pub mod andrews {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -610,7 +611,7 @@ pub mod andrews {
             if !(A_crank_0 > 0.0) {
                 return Err(FAILURES[27].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [beta0, 0.0],
                 start_discretes: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
                 rr,
@@ -698,9 +699,16 @@ pub mod andrews {
                 constant4: 0.25 / d_squared_ss_squared,
                 constant5: 0.25 / e_squared_zt_squared,
                 constant6: 0.25 / zf_squared_u_squared,
+                table_of_β: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_β = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |β, d| { functions_of_β(β, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -881,6 +889,8 @@ pub mod andrews {
         pub constant5: T,
         /// `0.25 / (zf * zf * u * u)`
         pub constant6: T,
+        /// [`functions_of_β`] near the start.
+        pub table_of_β: Table<T, 2>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -973,23 +983,23 @@ pub mod andrews {
                 constant4: turn(self.constant4),
                 constant5: turn(self.constant5),
                 constant6: turn(self.constant6),
+                table_of_β: self.table_of_β.map(&turn),
             }
         }
     }
-    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_β: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `β` and params alone, in closed form.
     #[inline(always)]
-    pub fn rhs<T: Real>(
-        t: T,
-        x: &[T; 2],
-        d: &[T; 6],
-        u: &[T; 0],
-        p: &Prepared<T>,
-        dx: &mut [T; 2],
-    ) {
-        let β = x[0];
-        let dβ = x[1];
+    pub fn functions_of_β<T: Real>(β: T, d: &[T; 6], p: &Prepared<T>) -> [T; 2] {
         let turn_lever = d[1];
-        // ── configuration ──
         let (sin_β, cos_β) = β.sin_cos();
         let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
@@ -1079,6 +1089,7 @@ pub mod andrews {
         // inertia
         let A = t9 + p.C8 * (ω3 * ω4 * cos_φ3_minus_φ4)
             + p.C9 * (ω3 * ω6 * cos_φ3_minus_φ6);
+        let per_A = A.recip();
         let t10 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `lever` from the assembled one
         let φ3_minus_φ3_0 = t10.unwrap_to(turn_lever);
@@ -1114,6 +1125,9 @@ pub mod andrews {
         let dL_pull_dβ = -(L_pull.recip() * t14);
         // slope of the potential energy of springs
         let dP_s_dβ = p.c0 * (e_pull * dL_pull_dβ);
+        // what β̈ is by `β` alone
+        let ddβ_of_β = per_A * (p.mom - dP_s_dβ);
+        let ω3_minus_ω6 = ω3 - ω6;
         let cos_β_minus_φ3 = cos_β * c3 + sin_β * s3;
         let t15 = ω2 + t3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
@@ -1146,7 +1160,6 @@ pub mod andrews {
         let cos_φ6_minus_φ7 = c6 * c7 + s6 * s7;
         let ω6_prime = p.per_zf
             * (per_sin_φ6_minus_φ7 * (t23 - p.zf * (ω6 * t24 * cos_φ6_minus_φ7)));
-        let ω3_minus_ω6 = ω3 - ω6;
         let t25 = p.ss * (ω3_prime * sin_φ3_minus_φ6)
             + p.ss * (ω3 * ω3_minus_ω6 * cos_φ3_minus_φ6);
         let t26 = p.per_u
@@ -1160,11 +1173,28 @@ pub mod andrews {
             + p.C8 * (ω3 * ω4_prime * cos_φ3_minus_φ4);
         let t30 = t29 - p.C8 * (ω3 * sin_φ3_minus_φ4 * ω4 * ω3_minus_ω4)
             + p.C9 * (ω3_prime * ω6 * cos_φ3_minus_φ6);
-        // slope of the inertia
-        let dA_dβ = t30 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6)
-            - p.C9 * (ω3 * sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6);
+        let t31 = p.C9 * (ω3 * sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6)
+            - (t30 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6));
+        let ddβ_per_dβ_squared = per_A * (t31 * 0.5);
+        [ddβ_of_β, ddβ_per_dβ_squared]
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 6],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let β = x[0];
+        let dβ = x[1];
+        let [ddβ_of_β, ddβ_per_dβ_squared] = p
+            .table_of_β
+            .values(β, || functions_of_β(β, d, p));
         // ── state ──
-        let ddβ = -(A.recip() * (dP_s_dβ - p.mom + dA_dβ * 0.5 * (dβ * dβ)));
+        let ddβ = ddβ_of_β + ddβ_per_dβ_squared * (dβ * dβ);
         dx[0] = dβ;
         dx[1] = ddβ;
     }
@@ -2042,6 +2072,12 @@ pub mod andrews {
             ];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_β.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_β.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 65] = [
@@ -2518,6 +2554,8 @@ pub mod andrews {
     static DISCRETES: &[Variable] = VARIABLES.split_at(45).1.split_at(6).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(51).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(51).1.split_at(14).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 1] = [(0, 1)];
     static TURNING: [usize; 6] = [0, 1, 2, 3, 4, 5];
     static FAILURES: [Failure; 28] = [
         Failure {

@@ -19,6 +19,7 @@ pub mod bridge_amplifier {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -194,7 +195,7 @@ pub mod bridge_amplifier {
             if !(A_lower_left_0 > 0.0) {
                 return Err(FAILURES[8].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [φ1_0, 0.0],
                 start_discretes: [0.0],
                 l,
@@ -228,9 +229,16 @@ pub mod bridge_amplifier {
                 half_k: k * 0.5,
                 half_ks: ks * 0.5,
                 per_l_squared: l_squared.recip(),
+                table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ1 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -303,6 +311,8 @@ pub mod bridge_amplifier {
         pub half_ks: T,
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
+        /// [`functions_of_φ1`] near the start.
+        pub table_of_φ1: Table<T, 6>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -341,8 +351,107 @@ pub mod bridge_amplifier {
                 half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
                 per_l_squared: turn(self.per_l_squared),
+                table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ1: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    #[inline(always)]
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 1], p: &Prepared<T>) -> [T; 6] {
+        let turn_upper_left = d[0];
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let A_x = p.l * cos_φ1;
+        // vector that is left to close lower_left–upper_left–table
+        let X1 = -A_x;
+        let l_sin_φ1 = p.l * sin_φ1;
+        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
+        let t1 = p.per_l * (x_table - l_sin_φ1);
+        let s3 = -t1;
+        let per_l_X1 = p.per_l * X1;
+        let c3 = -per_l_X1;
+        let t2 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        // angle of `upper_left` from the assembled one
+        let φ3_minus_φ3_0 = t2.unwrap_to(turn_upper_left);
+        // angle of `upper_left`
+        let φ3 = p.φ3_0 + φ3_minus_φ3_0;
+        let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
+        let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
+            .sin_cos();
+        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
+        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
+            .sin_cos();
+        let φ1_0_minus_φ1 = p.φ1_0 - φ1;
+        // change of Δx_piezo
+        let δx_piezo = p.l
+            * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
+            - p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δx_piezo = δx_piezo - p.constant1;
+        let φ1_minus_φ1_0 = φ1 - p.φ1_0;
+        // change of Δy_piezo
+        let δy_piezo = p.l
+            * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0)
+            - p.l * (cos_half_φ1_plus_φ1_0 * (φ1_minus_φ1_0 * 0.5).sin() * 2.0);
+        // from end to end of `piezo`
+        let Δy_piezo = δy_piezo - p.constant2;
+        // length of `piezo`
+        let L_piezo = (Δx_piezo * Δx_piezo + Δy_piezo * Δy_piezo).sqrt();
+        let t3 = t1.recip();
+        let t4 = sin_φ1 * t3;
+        // rate of the angle of `upper_left` per unit rate of `lower_left`
+        let ω3 = -t4;
+        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
+        let t5 = Δx_piezo * dδx_piezo_dφ1
+            - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
+        // lever of `piezo`: change of its length
+        let dL_piezo_dφ1 = L_piezo.recip() * t5;
+        let t6 = δx_piezo * (Δx_piezo - p.constant1)
+            + δy_piezo * (Δy_piezo - p.constant2);
+        // extension of `piezo`
+        let e_piezo = t6 * (p.L_piezo_0 + L_piezo).recip();
+        let ω3_squared = ω3 * ω3;
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        // rate of the position of `table` per unit rate of `lower_left`
+        let ν_table = p.l * (t3 * sin_φ1_minus_φ3);
+        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
+        // inertia
+        let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
+            + p.C2 * (ω3 * cos_φ1_minus_φ3);
+        let per_A = A.recip();
+        let ω3_minus_one = ω3 - 1.0;
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
+            + p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
+        let ddφ1_per_F_piezo = per_A * dL_piezo_dφ1;
+        let t7 = -(p.two_c + p.two_c * ω3_squared)
+            - p.two_c * (ω3_minus_one * (T::from_f64(-1.0) - t4));
+        let ddφ1_per_dφ1 = per_A * t7;
+        let ω3_prime = -(p.per_l * (t3 * (A_x + p.l * (ω3_squared * per_l_X1))));
+        let t8 = t3
+            * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
+        let ν_table_prime = -t8;
+        let t9 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
+        // slope of the inertia
+        let dA_dφ1 = t9 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
+            + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
+        let ddφ1_per_dφ1_squared = per_A * -(dA_dφ1 * 0.5);
+        [
+            dL_piezo_dφ1,
+            e_piezo,
+            per_A * dP_s_dφ1,
+            ddφ1_per_F_piezo,
+            ddφ1_per_dφ1,
+            ddφ1_per_dφ1_squared,
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -356,92 +465,22 @@ pub mod bridge_amplifier {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let turn_upper_left = d[0];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let A_x = p.l * cos_φ1;
-        // vector that is left to close lower_left–upper_left–table
-        let X1 = -A_x;
-        let l_sin_φ1 = p.l * sin_φ1;
-        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
-        let t1 = p.per_l * (x_table - l_sin_φ1);
-        let t2 = t1.recip();
-        // rate of the angle of `upper_left` per unit rate of `lower_left`
-        let ω3 = -(sin_φ1 * t2);
-        let ω3_squared = ω3 * ω3;
-        let per_l_X1 = p.per_l * X1;
-        let c3 = -per_l_X1;
-        let s3 = -t1;
-        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
-        // rate of the position of `table` per unit rate of `lower_left`
-        let ν_table = p.l * (t2 * sin_φ1_minus_φ3);
-        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
-        // inertia
-        let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
-            + p.C2 * (ω3 * cos_φ1_minus_φ3);
-        let φ1_minus_φ1_0 = φ1 - p.φ1_0;
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `upper_left` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_upper_left);
-        let ω3_minus_one = ω3 - 1.0;
-        let φ1_0_minus_φ1 = p.φ1_0 - φ1;
-        // slope of the potential energy of springs
-        let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
-            + p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
-        // angle of `upper_left`
-        let φ3 = p.φ3_0 + φ3_minus_φ3_0;
-        let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
-        let (sin_half_φ3_0_plus_φ3, cos_half_φ3_0_plus_φ3) = half_φ3_0_plus_φ3
-            .sin_cos();
-        let half_φ1_plus_φ1_0 = (φ1 + p.φ1_0) * 0.5;
-        let (sin_half_φ1_plus_φ1_0, cos_half_φ1_plus_φ1_0) = half_φ1_plus_φ1_0
-            .sin_cos();
-        // change of Δx_piezo
-        let δx_piezo = p.l
-            * (sin_half_φ3_0_plus_φ3 * ((φ3 - p.φ3_0) * 0.5).sin() * 2.0)
-            - p.l * (sin_half_φ1_plus_φ1_0 * (φ1_0_minus_φ1 * 0.5).sin() * 2.0);
-        // from end to end of `piezo`
-        let Δx_piezo = δx_piezo - p.constant1;
-        // change of Δy_piezo
-        let δy_piezo = p.l
-            * (cos_half_φ3_0_plus_φ3 * ((p.φ3_0 - φ3) * 0.5).sin() * 2.0)
-            - p.l * (cos_half_φ1_plus_φ1_0 * (φ1_minus_φ1_0 * 0.5).sin() * 2.0);
-        // from end to end of `piezo`
-        let Δy_piezo = δy_piezo - p.constant2;
-        // length of `piezo`
-        let L_piezo = (Δx_piezo * Δx_piezo + Δy_piezo * Δy_piezo).sqrt();
-        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
-        let t4 = Δx_piezo * dδx_piezo_dφ1
-            - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
-        // lever of `piezo`: change of its length
-        let dL_piezo_dφ1 = L_piezo.recip() * t4;
-        let t5 = δx_piezo * (Δx_piezo - p.constant1)
-            + δy_piezo * (Δy_piezo - p.constant2);
-        // extension of `piezo`
-        let e_piezo = t5 * (p.L_piezo_0 + L_piezo).recip();
-        let ω3_prime = -(p.per_l * (t2 * (A_x + p.l * (ω3_squared * per_l_X1))));
-        let t6 = t2
-            * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
-        let ν_table_prime = -t6;
-        let t7 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
-        // slope of the inertia
-        let dA_dφ1 = t7 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
-            + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
+        let [dL_piezo_dφ1, e_piezo, per_A_dP_s_dφ1, ddφ1_per_F_piezo, ddφ1_per_dφ1,
+        ddφ1_per_dφ1_squared] = p
+            .table_of_φ1
+            .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── state ──
-        let t8 = p.constant3 * t;
-        let (t9, t10) = t8.sin_cos();
+        let t1 = p.constant3 * t;
+        let (t2, t3) = t1.sin_cos();
         // drive `extension`
-        let extension = p.stroke * t9;
+        let extension = p.stroke * t2;
         // rate of the drive `extension`
-        let d_extension_dt = p.constant4 * t10;
+        let d_extension_dt = p.constant4 * t3;
         // force of `piezo` on its second end
         let F_piezo = p.ks * (extension - e_piezo)
             + p.cs * (d_extension_dt - dL_piezo_dφ1 * dφ1);
-        let t11 = dL_piezo_dφ1 * F_piezo - p.two_c * dφ1
-            - p.two_c * ω3_squared * dφ1;
-        // generalized torque of all other forces
-        let τ = t11 - p.two_c * (ω3_minus_one * ω3_minus_one) * dφ1;
-        let ddφ1 = -(A.recip() * (dP_s_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
+        let ddφ1 = ddφ1_per_F_piezo * F_piezo - per_A_dP_s_dφ1 + ddφ1_per_dφ1 * dφ1
+            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -898,6 +937,12 @@ pub mod bridge_amplifier {
             const NAMES: [&str; 1] = ["lower_left–upper_left–table"];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ1.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ1.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 16] = [
@@ -1021,6 +1066,8 @@ pub mod bridge_amplifier {
     static DISCRETES: &[Variable] = VARIABLES.split_at(13).1.split_at(1).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(2).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 1] = [(0, 1)];
     static TURNING: [usize; 1] = [0];
     static FAILURES: [Failure; 9] = [
         Failure {

@@ -21,6 +21,7 @@ pub mod double_parallelogram_stage {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -257,6 +258,12 @@ pub mod double_parallelogram_stage {
                 half_C1: turn(self.half_C1),
                 two_k: turn(self.two_k),
             }
+        }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            self
         }
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.

@@ -28,6 +28,7 @@ pub mod double_rocker {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -456,7 +457,7 @@ pub mod double_rocker {
             if !(ms > 0.0) {
                 return Err(FAILURES[29].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [1.3962634015954636, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
                 start_discretes: [0.0, 0.0, 0.0, t5],
                 l1,
@@ -529,9 +530,16 @@ pub mod double_rocker {
                 constant5: t5,
                 constant6: one_minus_rise.if_positive(1.0, t5),
                 constant7: 0.25 / l2_squared_l3_squared,
+                table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ1 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -682,6 +690,8 @@ pub mod double_rocker {
         pub constant6: T,
         /// `0.25 / (l2 * l2 * l3 * l3)`
         pub constant7: T,
+        /// [`functions_of_φ1`] near the start.
+        pub table_of_φ1: Table<T, 6>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -759,8 +769,111 @@ pub mod double_rocker {
                 constant5: turn(self.constant5),
                 constant6: turn(self.constant6),
                 constant7: turn(self.constant7),
+                table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ1: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    #[inline(always)]
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 6] {
+        let turn_coupler = d[0];
+        let turn_rocker = d[1];
+        let t1 = φ1 - 1.3962634015954636;
+        // displacement of `A`
+        let x_A = p.la
+            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t1 * 0.5).sin() * 2.0);
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let l1_sin_φ1 = p.l1 * sin_φ1;
+        let Y = -l1_sin_φ1;
+        let l1_cos_φ1 = p.l1 * cos_φ1;
+        // vector that is left to close crank–coupler–rocker
+        let X = p.l4 - l1_cos_φ1;
+        // its length squared
+        let D = X * X + Y * Y;
+        let per_D = D.recip();
+        let κ = per_D * (p.constant1 + D) * 0.5;
+        let Y_κ = Y * κ;
+        let t2 = per_D
+            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
+        let η = p.half_ε * t2;
+        let X_η = X * η;
+        let s2 = p.per_l2 * (Y_κ + X_η);
+        let X_κ = X * κ;
+        let Y_η = Y * η;
+        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
+        let c2 = p.per_l2 * (X_κ - Y_η);
+        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
+        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
+        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
+        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
+        let t3 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
+        // rate of the angle of `coupler` per unit rate of `crank`
+        let ω2 = -t3;
+        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
+        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        let t4 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
+        // rate of the angle of `rocker` per unit rate of `crank`
+        let ω3 = -t4;
+        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
+        let t5 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
+        // inertia
+        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω2 * t5);
+        let per_A = A.recip();
+        let ω2_minus_one = ω2 - 1.0;
+        let t6 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t6.unwrap_to(turn_coupler);
+        let t7 = ω2_minus_one
+            * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0);
+        let t8 = t4 - t3;
+        let t9 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        // angle of `rocker` from the assembled one
+        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
+        let t10 = p.k * t1 + p.k * t7 + p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
+        // slope of the potential energy of springs
+        let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
+        let t11 = l1_cos_φ1 + p.r2 * (ω2 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
+        let t12 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t11;
+        // slope of the potential energy of gravity
+        let dP_g_dφ1 = (t12 + p.m3_r3 * (ω3 * (p.cos_beta3 * c3 - p.sin_beta3 * s3)))
+            * 9.81;
+        // slope of the potential energy
+        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        // what φ̈1 is by `φ1` alone
+        let ddφ1_of_φ1 = per_A * (-dP_dφ1 - p.Fp * (l1_cos_φ1 + p.ln * (ω2 * c2)));
+        let dx_A_dφ1 = p.la * sin_φ1;
+        let ddφ1_per_F_joint = per_A * dx_A_dφ1;
+        let ddφ1_per_F_f = -(per_A * dv_ddφ1);
+        let t13 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
+        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
+        let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
+        let t14 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+            - p.l2 * (ω2 * t8 * cos_φ2_minus_φ3);
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t14);
+        let t15 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+            - p.l3 * (ω3 * t8 * cos_φ2_minus_φ3);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t15);
+        let t16 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+            + p.C3 * (ω2_prime * t5);
+        let ddφ1_per_dφ1_squared = per_A
+            * ((p.C3 * (ω2 * ω2_minus_one * t13) - t16) * 0.5);
+        [
+            x_A,
+            dv_ddφ1,
+            ddφ1_of_φ1,
+            ddφ1_per_F_joint,
+            ddφ1_per_F_f,
+            ddφ1_per_dφ1_squared,
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -778,87 +891,15 @@ pub mod double_rocker {
         let dx_stack = x[3];
         let dx_stage = x[5];
         let z = x[6];
-        let turn_coupler = d[0];
-        let turn_rocker = d[1];
         let xp_cycle = d[2];
         let xp_falling = d[3];
+        let [x_A, dv_ddφ1, ddφ1_of_φ1, ddφ1_per_F_joint, ddφ1_per_F_f,
+        ddφ1_per_dφ1_squared] = p
+            .table_of_φ1
+            .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let l1_sin_φ1 = p.l1 * sin_φ1;
-        let Y = -l1_sin_φ1;
-        let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - l1_cos_φ1;
-        // its length squared
-        let D = X * X + Y * Y;
-        let per_D = D.recip();
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let Y_κ = Y * κ;
-        let t1 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t1;
-        let X_η = X * η;
-        let s2 = p.per_l2 * (Y_κ + X_η);
-        let X_κ = X * κ;
-        let Y_η = Y * η;
-        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
-        let c2 = p.per_l2 * (X_κ - Y_η);
-        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
-        let sin_φ2_minus_φ3 = s2 * c3 - c2 * s3;
-        let per_sin_φ2_minus_φ3 = sin_φ2_minus_φ3.recip();
-        let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
-        let t2 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
-        // rate of the angle of `coupler` per unit rate of `crank`
-        let ω2 = -t2;
-        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
-        let t3 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
-        // rate of the angle of `rocker` per unit rate of `crank`
-        let ω3 = -t3;
-        let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
-        let t4 = p.cos_beta2 * cos_φ1_minus_φ2 + p.sin_beta2 * sin_φ1_minus_φ2;
-        // inertia
-        let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω2 * t4);
-        let t5 = φ1 - 1.3962634015954636;
-        let ω2_minus_one = ω2 - 1.0;
-        let t6 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
-        // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t6.unwrap_to(turn_coupler);
-        let t7 = ω2_minus_one
-            * (T::from_f64(1.3962634015954636) - φ1 + φ2_minus_φ2_0);
-        let t8 = t3 - t2;
-        let t9 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t9.unwrap_to(turn_rocker);
-        let t10 = p.k * t5 + p.k * t7 + p.k * (t8 * (φ2_minus_φ2_0 - φ3_minus_φ3_0));
-        // slope of the potential energy of springs
-        let dP_s_dφ1 = t10 + p.k * (φ3_minus_φ3_0 * ω3);
-        let t11 = l1_cos_φ1 + p.r2 * (ω2 * (p.cos_beta2 * c2 - p.sin_beta2 * s2));
-        let t12 = p.m1_r1 * (p.cos_beta1 * cos_φ1 - p.sin_beta1 * sin_φ1) + p.m2 * t11;
-        // slope of the potential energy of gravity
-        let dP_g_dφ1 = (t12 + p.m3_r3 * (ω3 * (p.cos_beta3 * c3 - p.sin_beta3 * s3)))
-            * 9.81;
-        // slope of the potential energy
-        let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
-        // displacement of `A`
-        let x_A = p.la
-            * (((φ1 + 1.3962634015954636) * 0.5).sin() * (t5 * 0.5).sin() * 2.0);
         // force of `joint` on its second end
         let F_joint = p.ku * (x_stack - x_A);
-        let t13 = p.la * (sin_φ1 * F_joint) - p.Fp * (l1_cos_φ1 + p.ln * (ω2 * c2));
-        let dv_ddφ1 = l1_sin_φ1 + p.ln * (ω2 * s2);
-        let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
-        let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t14 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
-            - p.l2 * (ω2 * t8 * cos_φ2_minus_φ3);
-        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t14);
-        let t15 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
-            - p.l3 * (ω3 * t8 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t15);
-        let t16 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
-            + p.C3 * (ω2_prime * t4);
-        let t17 = p.sin_beta2 * cos_φ1_minus_φ2 - p.cos_beta2 * sin_φ1_minus_φ2;
-        // slope of the inertia
-        let dA_dφ1 = t16 - p.C3 * (ω2 * ω2_minus_one * t17);
         // ── state ──
         // slip velocity of `tip`
         let v = dv_ddφ1 * dφ1 - dx_stage;
@@ -867,9 +908,8 @@ pub mod double_rocker {
         let ż = v - z * v.abs() * g_v.recip();
         // friction force of `tip` on its second end
         let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
-        // generalized torque of all other forces
-        let τ = t13 - dv_ddφ1 * F_f;
-        let ddφ1 = -(A.recip() * (dP_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
+        let ddφ1 = ddφ1_of_φ1 + ddφ1_per_F_joint * F_joint + ddφ1_per_F_f * F_f
+            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
         let xp_falling_minus_half = xp_falling - 0.5;
         let f_t = p.f * t;
         // drive `xp`
@@ -1495,6 +1535,12 @@ pub mod double_rocker {
             const NAMES: [&str; 1] = ["crank–coupler–rocker"];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ1.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ1.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 47] = [
@@ -1837,6 +1883,8 @@ pub mod double_rocker {
     static DISCRETES: &[Variable] = VARIABLES.split_at(39).1.split_at(4).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(43).1.split_at(4).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 3] = [(0, 1), (2, 3), (4, 5)];
     static TURNING: [usize; 2] = [0, 1];
     static FAILURES: [Failure; 30] = [
         Failure {

@@ -18,6 +18,7 @@ pub mod five_bar {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -387,6 +388,12 @@ pub mod five_bar {
                 half_k: turn(self.half_k),
                 constant2: turn(self.constant2),
             }
+        }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            self
         }
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.

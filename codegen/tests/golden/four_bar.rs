@@ -22,6 +22,7 @@ pub mod four_bar {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -254,7 +255,7 @@ pub mod four_bar {
             if !(A_crank_0 > 0.0) {
                 return Err(FAILURES[15].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [1.3962634015954636, 20.0],
                 start_discretes: [0.0, 0.0],
                 l1,
@@ -287,9 +288,16 @@ pub mod four_bar {
                 two_C3: C3 * 2.0,
                 half_k: k * 0.5,
                 constant2: 0.25 / l2_squared_l3_squared,
+                table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ1 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -360,6 +368,8 @@ pub mod four_bar {
         pub half_k: T,
         /// `0.25 / (l2 * l2 * l3 * l3)`
         pub constant2: T,
+        /// [`functions_of_φ1`] near the start.
+        pub table_of_φ1: Table<T, 2>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -397,24 +407,24 @@ pub mod four_bar {
                 two_C3: turn(self.two_C3),
                 half_k: turn(self.half_k),
                 constant2: turn(self.constant2),
+                table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
     }
-    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ1: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn rhs<T: Real>(
-        t: T,
-        x: &[T; 2],
-        d: &[T; 2],
-        u: &[T; 0],
-        p: &Prepared<T>,
-        dx: &mut [T; 2],
-    ) {
-        let φ1 = x[0];
-        let dφ1 = x[1];
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 2], p: &Prepared<T>) -> [T; 2] {
         let turn_coupler = d[0];
         let turn_rocker = d[1];
-        // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y = -l1_sin_φ1;
@@ -451,6 +461,7 @@ pub mod four_bar {
         // inertia
         let A = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3)
             + p.C3 * (ω2 * cos_φ1_minus_φ2);
+        let per_A = A.recip();
         let ω2_minus_one = ω2 - 1.0;
         let t5 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
@@ -483,8 +494,26 @@ pub mod four_bar {
             + p.C3 * (ω2_prime * cos_φ1_minus_φ2);
         // slope of the inertia
         let dA_dφ1 = t13 + p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one);
+        let ddφ1_per_dφ1_squared = per_A * -(dA_dφ1 * 0.5);
+        [per_A * dP_dφ1, ddφ1_per_dφ1_squared]
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 2],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let [per_A_dP_dφ1, ddφ1_per_dφ1_squared] = p
+            .table_of_φ1
+            .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── state ──
-        let ddφ1 = -(A.recip() * (dP_dφ1 + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
+        let ddφ1 = ddφ1_per_dφ1_squared * (dφ1 * dφ1) - per_A_dP_dφ1;
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -943,6 +972,12 @@ pub mod four_bar {
             const NAMES: [&str; 1] = ["crank–coupler–rocker"];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ1.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ1.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 18] = [
@@ -1082,6 +1117,8 @@ pub mod four_bar {
     static DISCRETES: &[Variable] = VARIABLES.split_at(13).1.split_at(2).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(15).1.split_at(3).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 1] = [(0, 1)];
     static TURNING: [usize; 2] = [0, 1];
     static FAILURES: [Failure; 16] = [
         Failure {

@@ -22,6 +22,7 @@ pub mod lugre_mass {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -226,6 +227,12 @@ pub mod lugre_mass {
                 half_k: turn(self.half_k),
                 half_sigma0: turn(self.half_sigma0),
             }
+        }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            self
         }
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.

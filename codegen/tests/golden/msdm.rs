@@ -21,6 +21,7 @@ pub mod msdm {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -399,6 +400,12 @@ pub mod msdm {
                 constant4: turn(self.constant4),
                 constant5: turn(self.constant5),
             }
+        }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            self
         }
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.

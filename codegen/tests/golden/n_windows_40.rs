@@ -19,6 +19,7 @@ pub mod n_windows_40 {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -113,6 +114,12 @@ pub mod n_windows_40 {
                 per_C0: turn(self.per_C0),
                 half_C0: turn(self.half_C0),
             }
+        }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            self
         }
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.

@@ -19,6 +19,7 @@ pub mod six_bar {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -409,7 +410,7 @@ pub mod six_bar {
             if !(A_crank_0 > 0.0) {
                 return Err(FAILURES[19].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [1.2217304763960306, 0.0],
                 start_discretes: [0.0, 0.0, 0.0, 0.0],
                 l1,
@@ -483,9 +484,16 @@ pub mod six_bar {
                 half_k: k * 0.5,
                 constant5: 0.25 / l2_squared_l3_squared,
                 constant6: 0.25 / l5_squared_l6_squared,
+                table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ1 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -638,6 +646,8 @@ pub mod six_bar {
         pub constant5: T,
         /// `0.25 / (l5 * l5 * l6 * l6)`
         pub constant6: T,
+        /// [`functions_of_φ1`] near the start.
+        pub table_of_φ1: Table<T, 4>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -716,26 +726,26 @@ pub mod six_bar {
                 half_k: turn(self.half_k),
                 constant5: turn(self.constant5),
                 constant6: turn(self.constant6),
+                table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
     }
-    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ1: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn rhs<T: Real>(
-        t: T,
-        x: &[T; 2],
-        d: &[T; 4],
-        u: &[T; 0],
-        p: &Prepared<T>,
-        dx: &mut [T; 2],
-    ) {
-        let φ1 = x[0];
-        let dφ1 = x[1];
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 4] {
         let turn_coupler = d[0];
         let turn_rocker = d[1];
         let turn_connector = d[2];
         let turn_output_rocker = d[3];
-        // ── configuration ──
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let l1_sin_φ1 = p.l1 * sin_φ1;
         let Y1 = p.y2 - l1_sin_φ1;
@@ -763,11 +773,12 @@ pub mod six_bar {
         let t3 = p.l1_per_l2 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ3);
         // rate of the angle of `coupler` per unit rate of `crank`
         let ω2 = -t3;
-        let sin_φ1_minus_φ2 = sin_φ1 * c2 - cos_φ1 * s2;
+        let sin_φ1_c2 = sin_φ1 * c2;
+        let cos_φ1_s2 = cos_φ1 * s2;
+        let sin_φ1_minus_φ2 = sin_φ1_c2 - cos_φ1_s2;
         let t4 = p.l1_per_l3 * (per_sin_φ2_minus_φ3 * sin_φ1_minus_φ2);
         // rate of the angle of `rocker` per unit rate of `crank`
         let ω3 = -t4;
-        let ω3_squared = ω3 * ω3;
         let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
         // vector that is left to close crank–coupler–connector–output_rocker
         let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
@@ -798,26 +809,27 @@ pub mod six_bar {
         let t8 = p.per_l5 * (per_sin_φ5_minus_φ6 * t7);
         // rate of the angle of `connector` per unit rate of `crank`
         let ω5 = -t8;
-        let t9 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * ω3_squared + p.C3 * (ω5 * ω5);
         let sin_φ1_minus_φ5 = sin_φ1 * c5 - cos_φ1 * s5;
         let sin_φ2_minus_φ5 = s2 * c5 - c2 * s5;
         let ω2_sin_φ2_minus_φ5 = ω2 * sin_φ2_minus_φ5;
         let cos_φ2_minus_φ5 = c2 * c5 + s2 * s5;
         let ω2_cos_φ2_minus_φ5 = ω2 * cos_φ2_minus_φ5;
-        let t10 = p.l1 * sin_φ1_minus_φ5 + p.cx * ω2_sin_φ2_minus_φ5
+        let t9 = p.l1 * sin_φ1_minus_φ5 + p.cx * ω2_sin_φ2_minus_φ5
             + p.cy * ω2_cos_φ2_minus_φ5;
-        let t11 = p.per_l6 * (per_sin_φ5_minus_φ6 * t10);
+        let t10 = per_sin_φ5_minus_φ6 * t9;
+        let t11 = p.per_l6 * t10;
         // rate of the angle of `output_rocker` per unit rate of `crank`
         let ω6 = -t11;
-        let ω6_squared = ω6 * ω6;
+        let t12 = p.C0 + p.C1 * (ω2 * ω2) + p.C2 * (ω3 * ω3) + p.C3 * (ω5 * ω5)
+            + p.C4 * (ω6 * ω6);
         let cos_φ1_minus_φ2 = cos_φ1 * c2 + sin_φ1 * s2;
         let ω2_cos_φ1_minus_φ2 = ω2 * cos_φ1_minus_φ2;
         let sin_φ1_minus_φ2_ω2 = sin_φ1_minus_φ2 * ω2;
-        let t12 = t9 + p.C4 * ω6_squared + p.C5 * ω2_cos_φ1_minus_φ2
-            + p.C6 * sin_φ1_minus_φ2_ω2;
         let cos_φ5_minus_φ6 = c5 * c6 + s5 * s6;
         // inertia
-        let A = t12 + p.C7 * (ω5 * ω6 * cos_φ5_minus_φ6);
+        let A = t12 + p.C5 * ω2_cos_φ1_minus_φ2 + p.C6 * sin_φ1_minus_φ2_ω2
+            + p.C7 * (ω5 * ω6 * cos_φ5_minus_φ6);
+        let per_A = A.recip();
         let ω2_minus_one = ω2 - 1.0;
         let t13 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
         // angle of `coupler` from the assembled one
@@ -852,50 +864,70 @@ pub mod six_bar {
         let dP_g_dφ1 = (t25 - p.m6_r6 * t24) * 9.81;
         // slope of the potential energy
         let dP_dφ1 = dP_s_dφ1 + dP_g_dφ1;
+        let t26 = p.c * (ω2_minus_one * (T::from_f64(-1.0) - t3)) + p.c * (t15 * t15);
+        let t27 = p.c
+            * (ω3
+                * (p.l1_per_l3 * (per_sin_φ2_minus_φ3 * (cos_φ1_s2 - sin_φ1_c2))));
+        let t28 = -(t26 + t27 + p.c * (t18 * t18) + p.c * (t21 * t21))
+            - p.c * (ω6 * (p.per_l6 * -t10));
+        let ddφ1_per_dφ1 = per_A * t28;
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         let cos_φ2_minus_φ3 = c2 * c3 + s2 * s3;
-        let t26 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
+        let t29 = p.l1 * (cos_φ1_minus_φ3 * (ω3 - 1.0))
             - p.l2 * (ω2 * t15 * cos_φ2_minus_φ3);
-        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t26);
-        let t27 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
+        let ω2_prime = p.per_l2 * (per_sin_φ2_minus_φ3 * t29);
+        let t30 = p.l1 * (cos_φ1_minus_φ2 * ω2_minus_one)
             - p.l3 * (ω3 * t15 * cos_φ2_minus_φ3);
-        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t27);
+        let ω3_prime = p.per_l3 * (per_sin_φ2_minus_φ3 * t30);
         let cos_φ1_minus_φ6 = cos_φ1 * c6 + sin_φ1 * s6;
-        let t28 = p.cx * (ω2_prime * sin_φ2_minus_φ6)
+        let t31 = p.cx * (ω2_prime * sin_φ2_minus_φ6)
             - p.l1 * (cos_φ1_minus_φ6 * (ω6 - 1.0));
-        let t29 = t11 - t3;
-        let t30 = t28 + p.cx * (ω2_cos_φ2_minus_φ6 * t29)
+        let t32 = t11 - t3;
+        let t33 = t31 + p.cx * (ω2_cos_φ2_minus_φ6 * t32)
             + p.cy * (ω2_prime * cos_φ2_minus_φ6);
-        let t31 = t30 - p.cy * (ω2_sin_φ2_minus_φ6 * t29)
+        let t34 = t33 - p.cy * (ω2_sin_φ2_minus_φ6 * t32)
             + p.l5 * (ω5 * t21 * cos_φ5_minus_φ6);
-        let ω5_prime = -(p.per_l5 * (per_sin_φ5_minus_φ6 * t31));
-        let t32 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
+        let ω5_prime = -(p.per_l5 * (per_sin_φ5_minus_φ6 * t34));
+        let t35 = p.two_C1 * (ω2 * ω2_prime) + p.two_C2 * (ω3 * ω3_prime)
             + p.two_C3 * (ω5 * ω5_prime);
         let cos_φ1_minus_φ5 = cos_φ1 * c5 + sin_φ1 * s5;
-        let t33 = p.cx * (ω2_prime * sin_φ2_minus_φ5)
+        let t36 = p.cx * (ω2_prime * sin_φ2_minus_φ5)
             - p.l1 * (cos_φ1_minus_φ5 * (ω5 - 1.0));
-        let t34 = t33 + p.cx * (ω2_cos_φ2_minus_φ5 * t18)
+        let t37 = t36 + p.cx * (ω2_cos_φ2_minus_φ5 * t18)
             + p.cy * (ω2_prime * cos_φ2_minus_φ5);
-        let t35 = t34 - p.cy * (ω2_sin_φ2_minus_φ5 * t18)
+        let t38 = t37 - p.cy * (ω2_sin_φ2_minus_φ5 * t18)
             + p.l6 * (ω6 * t21 * cos_φ5_minus_φ6);
-        let ω6_prime = -(p.per_l6 * (per_sin_φ5_minus_φ6 * t35));
-        let t36 = t32 + p.two_C4 * (ω6 * ω6_prime)
+        let ω6_prime = -(p.per_l6 * (per_sin_φ5_minus_φ6 * t38));
+        let t39 = t35 + p.two_C4 * (ω6 * ω6_prime)
             + p.C5 * (ω2_prime * cos_φ1_minus_φ2);
-        let t37 = t36 + p.C5 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one)
+        let t40 = t39 + p.C5 * (sin_φ1_minus_φ2_ω2 * ω2_minus_one)
             + p.C6 * (sin_φ1_minus_φ2 * ω2_prime);
-        let t38 = t37 - p.C6 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one)
+        let t41 = t40 - p.C6 * (ω2_cos_φ1_minus_φ2 * ω2_minus_one)
             + p.C7 * (ω6 * cos_φ5_minus_φ6 * ω5_prime);
-        // slope of the inertia
-        let dA_dφ1 = t38 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime)
-            - p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t21);
+        let t42 = p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t21)
+            - (t41 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime));
+        let ddφ1_per_dφ1_squared = per_A * (t42 * 0.5);
+        [per_A, per_A * dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared]
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 4],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let dφ1 = x[1];
+        let [per_A, per_A_dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared] = p
+            .table_of_φ1
+            .values(φ1, || functions_of_φ1(φ1, d, p));
         // ── state ──
-        let t39 = p.torque * (p.constant4 * t).sin() - p.c * dφ1
-            - p.c * (ω2_minus_one * ω2_minus_one) * dφ1;
-        let t40 = t39 - p.c * (t15 * t15) * dφ1 - p.c * ω3_squared * dφ1
-            - p.c * (t18 * t18) * dφ1;
-        // generalized torque of all other forces
-        let τ = t40 - p.c * (t21 * t21) * dφ1 - p.c * ω6_squared * dφ1;
-        let ddφ1 = -(A.recip() * (dP_dφ1 - τ + dA_dφ1 * 0.5 * (dφ1 * dφ1)));
+        let t1 = ddφ1_per_dφ1 * dφ1 - per_A_dP_dφ1
+            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
+        let ddφ1 = t1 + per_A * (p.torque * (p.constant4 * t).sin() - p.c * dφ1);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -1629,6 +1661,12 @@ pub mod six_bar {
             ];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ1.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ1.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 27] = [
@@ -1835,6 +1873,8 @@ pub mod six_bar {
     static DISCRETES: &[Variable] = VARIABLES.split_at(22).1.split_at(4).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(26).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(26).1.split_at(1).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 1] = [(0, 1)];
     static TURNING: [usize; 4] = [0, 1, 2, 3];
     static FAILURES: [Failure; 20] = [
         Failure {

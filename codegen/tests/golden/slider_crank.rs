@@ -18,6 +18,7 @@ pub mod slider_crank {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -179,7 +180,7 @@ pub mod slider_crank {
             if !(A_crank_0 > 0.0) {
                 return Err(FAILURES[9].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [1.3089969389957472, 0.0],
                 start_discretes: [0.0],
                 r,
@@ -213,9 +214,16 @@ pub mod slider_crank {
                 half_k: k * 0.5,
                 half_kr: kr * 0.5,
                 per_l_squared: l_squared.recip(),
+                table_of_φ: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ, d| { functions_of_φ(φ, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -288,6 +296,8 @@ pub mod slider_crank {
         pub half_kr: T,
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
+        /// [`functions_of_φ`] near the start.
+        pub table_of_φ: Table<T, 4>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -326,23 +336,23 @@ pub mod slider_crank {
                 half_k: turn(self.half_k),
                 half_kr: turn(self.half_kr),
                 per_l_squared: turn(self.per_l_squared),
+                table_of_φ: self.table_of_φ.map(&turn),
             }
         }
     }
-    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ` and params alone, in closed form.
     #[inline(always)]
-    pub fn rhs<T: Real>(
-        t: T,
-        x: &[T; 2],
-        d: &[T; 1],
-        u: &[T; 0],
-        p: &Prepared<T>,
-        dx: &mut [T; 2],
-    ) {
-        let φ = x[0];
-        let dφ = x[1];
+    pub fn functions_of_φ<T: Real>(φ: T, d: &[T; 1], p: &Prepared<T>) -> [T; 4] {
         let turn_rod = d[0];
-        // ── configuration ──
         let (sin_φ, cos_φ) = φ.sin_cos();
         let r_sin_φ = p.r * sin_φ;
         let Y = p.offset - r_sin_φ;
@@ -350,8 +360,10 @@ pub mod slider_crank {
         let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
         let c_ψ = p.per_l * (x_piston - r_cos_φ);
         let per_c_ψ = c_ψ.recip();
+        let cos_φ_per_c_ψ = cos_φ * per_c_ψ;
+        let r_per_l_cos_φ_per_c_ψ = p.r_per_l * cos_φ_per_c_ψ;
         // rate of the angle of `rod` per unit rate of `crank`
-        let ω_ψ = -(p.r_per_l * (cos_φ * per_c_ψ));
+        let ω_ψ = -r_per_l_cos_φ_per_c_ψ;
         let ω_ψ_squared = ω_ψ * ω_ψ;
         let s_ψ = p.per_l * Y;
         let sin_φ_minus_ψ = sin_φ * c_ψ - cos_φ * s_ψ;
@@ -361,6 +373,7 @@ pub mod slider_crank {
         // inertia
         let A = p.C0 + p.C1 * ω_ψ_squared + p.ms * (ν_piston * ν_piston)
             + p.C2 * (ω_ψ * cos_φ_minus_ψ);
+        let per_A = A.recip();
         let ω_ψ_minus_one = ω_ψ - 1.0;
         let t1 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
             .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
@@ -379,21 +392,39 @@ pub mod slider_crank {
         let dP_g_dφ = t5 * 9.81;
         // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
+        let t6 = p.c * (ω_ψ_minus_one * (r_per_l_cos_φ_per_c_ψ - -1.0))
+            - p.c * (ω_ψ * (p.r_per_l * -cos_φ_per_c_ψ));
+        let ddφ_per_dφ = per_A * t6;
         let ω_ψ_prime = p.per_l
             * (per_c_ψ * (r_sin_φ + p.l * (ω_ψ_squared * s_ψ)));
         let ν_piston_prime = per_c_ψ
             * (p.r * (cos_φ_minus_ψ * ω_ψ_minus_one) + ω_ψ * ν_piston * s_ψ);
-        let t6 = p.two_C1 * (ω_ψ * ω_ψ_prime)
+        let t7 = p.two_C1 * (ω_ψ * ω_ψ_prime)
             + p.two_ms * (ν_piston * ν_piston_prime);
         // slope of the inertia
-        let dA_dφ = t6 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
+        let dA_dφ = t7 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
             + p.C2 * (sin_φ_minus_ψ * ω_ψ * ω_ψ_minus_one);
+        let ddφ_per_dφ_squared = per_A * -(dA_dφ * 0.5);
+        [per_A, per_A * dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared]
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 1],
+        u: &[T; 0],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let φ = x[0];
+        let dφ = x[1];
+        let [per_A, per_A_dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared] = p
+            .table_of_φ
+            .values(φ, || functions_of_φ(φ, d, p));
         // ── state ──
-        let t7 = p.torque * (p.constant1 * t).sin() - p.c * dφ
-            - p.c * (ω_ψ_minus_one * ω_ψ_minus_one) * dφ;
-        // generalized torque of all other forces
-        let τ = t7 - p.c * ω_ψ_squared * dφ;
-        let ddφ = -(A.recip() * (dP_dφ - τ + dA_dφ * 0.5 * (dφ * dφ)));
+        let ddφ = ddφ_per_dφ * dφ - per_A_dP_dφ + ddφ_per_dφ_squared * (dφ * dφ)
+            + per_A * (p.torque * (p.constant1 * t).sin() - p.c * dφ);
         dx[0] = dφ;
         dx[1] = ddφ;
     }
@@ -752,6 +783,12 @@ pub mod slider_crank {
             const NAMES: [&str; 1] = ["crank–rod–piston"];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 16] = [
@@ -875,6 +912,8 @@ pub mod slider_crank {
     static DISCRETES: &[Variable] = VARIABLES.split_at(13).1.split_at(1).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(14).1.split_at(2).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 1] = [(0, 1)];
     static TURNING: [usize; 1] = [0];
     static FAILURES: [Failure; 10] = [
         Failure {

@@ -18,6 +18,7 @@ pub mod slider_crank_by_hand {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -106,7 +107,7 @@ pub mod slider_crank_by_hand {
             let sin_θ_2 = θ.sin();
             let t1 = (-(r * sin_θ_2 / l))
                 .atan2((1.0 - r_squared * (sin_θ_2 * sin_θ_2) / l_squared).sqrt());
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [θ, 0.0],
                 start_discretes: [0.0, 0.5, t1],
                 r,
@@ -125,9 +126,16 @@ pub mod slider_crank_by_hand {
                 half_J: J * 0.5,
                 half_E: E * 0.5,
                 per_e: e.recip(),
+                table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ1 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -170,6 +178,8 @@ pub mod slider_crank_by_hand {
         pub half_E: T,
         /// `1.0 / e`
         pub per_e: T,
+        /// [`functions_of_φ1`] near the start.
+        pub table_of_φ1: Table<T, 1>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -193,25 +203,22 @@ pub mod slider_crank_by_hand {
                 half_J: turn(self.half_J),
                 half_E: turn(self.half_E),
                 per_e: turn(self.per_e),
+                table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
     }
-    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ1: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn rhs<T: Real>(
-        t: T,
-        x: &[T; 2],
-        d: &[T; 3],
-        u: &[T; 1],
-        p: &Prepared<T>,
-        dx: &mut [T; 2],
-    ) {
-        let φ1 = x[0];
-        let ω = x[1];
-        let n = d[0];
-        let level = d[1];
-        let u_2 = u[0];
-        // ── configuration ──
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 3], p: &Prepared<T>) -> [T; 1] {
         let t1 = p.type_
             * (((φ1 + p.θ) * 0.5).sin() * ((p.θ - φ1) * 0.5).sin() * 2.0);
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
@@ -228,20 +235,40 @@ pub mod slider_crank_by_hand {
         let t6 = t1 - t2 - p.E * (φ1 - p.θ) + t4 + t5 + t3.tan() + t3.asin()
             + t3.acos();
         let t7 = t6 + t3.atan() + t3.tanh() + t3.exp() + t3.ln() + t3.abs() + t3.sign();
+        [t7 + t3.floor()]
+    }
+    /// dx/dt. Where a loop cannot close, entries are not numbers.
+    #[inline(always)]
+    pub fn rhs<T: Real>(
+        t: T,
+        x: &[T; 2],
+        d: &[T; 3],
+        u: &[T; 1],
+        p: &Prepared<T>,
+        dx: &mut [T; 2],
+    ) {
+        let φ1 = x[0];
+        let ω = x[1];
+        let n = d[0];
+        let level = d[1];
+        let u_2 = u[0];
+        let [t1] = p.table_of_φ1.values(φ1, || functions_of_φ1(φ1, d, p));
+        // ── configuration ──
+        let t2 = φ1 * 0.25 + 0.5;
         // ── state ──
         let half_plus_half_tanh_ω = ω.tanh() * 0.5 + 0.5;
-        let t8 = t7 + t3.floor() + u_2 + t3.atan2(half_plus_half_tanh_ω)
-            + t3.smaller(half_plus_half_tanh_ω);
-        let t9 = t8 + t3.larger(half_plus_half_tanh_ω)
-            + t3.power(half_plus_half_tanh_ω);
-        let t10 = (t3 + half_plus_half_tanh_ω) * 0.5;
-        let (t11, t12) = t10.sin_cos();
-        let t13 = t9 + t11 * ((half_plus_half_tanh_ω - t3) * 0.5).sin() * 2.0
-            + t12 * ((t3 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0;
-        let t14 = t13 + t3.unwrap_to(half_plus_half_tanh_ω)
-            + (u_2 * 0.25).if_positive(t3, half_plus_half_tanh_ω);
+        let t3 = t1 + u_2 + t2.atan2(half_plus_half_tanh_ω)
+            + t2.smaller(half_plus_half_tanh_ω);
+        let t4 = t3 + t2.larger(half_plus_half_tanh_ω)
+            + t2.power(half_plus_half_tanh_ω);
+        let t5 = (t2 + half_plus_half_tanh_ω) * 0.5;
+        let (t6, t7) = t5.sin_cos();
+        let t8 = t4 + t6 * ((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0
+            + t7 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0;
+        let t9 = t8 + t2.unwrap_to(half_plus_half_tanh_ω)
+            + (u_2 * 0.25).if_positive(t2, half_plus_half_tanh_ω);
         dx[0] = ω;
-        dx[1] = p.per_J * (t14 + level - p.E * (n - p.e * t));
+        dx[1] = p.per_J * (t9 + level - p.E * (n - p.e * t));
     }
     /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
     #[inline(always)]
@@ -555,6 +582,12 @@ pub mod slider_crank_by_hand {
             const NAMES: [&str; 1] = ["crank–rod"];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ1.report(0)].into_iter().flatten().collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ1.is_left_by(x[0])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 33] = [
@@ -795,6 +828,8 @@ pub mod slider_crank_by_hand {
     static DISCRETES: &[Variable] = VARIABLES.split_at(8).1.split_at(3).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(11).1.split_at(1).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(12).1.split_at(21).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 1] = [(0, 1)];
     static TURNING: [usize; 1] = [2];
     static FAILURES: [Failure; 2] = [
         Failure {

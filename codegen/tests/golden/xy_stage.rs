@@ -21,6 +21,7 @@ pub mod xy_stage {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
+    use ::flexure_runtime::table::{Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -199,7 +200,7 @@ pub mod xy_stage {
             if !(A_lower_0 > 0.0) {
                 return Err(FAILURES[11].diagnostic(&[]));
             }
-            let prepared = Prepared {
+            let mut prepared = Prepared {
                 start_states: [1.5707963267948966, 0.0, 0.0, 0.0],
                 start_discretes: [],
                 ks,
@@ -223,9 +224,23 @@ pub mod xy_stage {
                 half_C1: C1 * 0.5,
                 half_ks: ks * 0.5,
                 two_k: k * 2.0,
+                table_of_φ1: Table::none(),
+                table_of_φ2: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
+            prepared.table_of_φ1 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                0,
+                |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
+            );
+            prepared.table_of_φ2 = Table::fit(
+                &prepared,
+                &COORDINATES,
+                1,
+                |φ2, d| { functions_of_φ2(φ2, array(d), &prepared) },
+            );
             Ok(prepared)
         }
     }
@@ -278,6 +293,10 @@ pub mod xy_stage {
         pub half_ks: T,
         /// `2.0 * k`
         pub two_k: T,
+        /// [`functions_of_φ1`] near the start.
+        pub table_of_φ1: Table<T, 4>,
+        /// [`functions_of_φ2`] near the start.
+        pub table_of_φ2: Table<T, 3>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -306,8 +325,41 @@ pub mod xy_stage {
                 half_C1: turn(self.half_C1),
                 half_ks: turn(self.half_ks),
                 two_k: turn(self.two_k),
+                table_of_φ1: self.table_of_φ1.map(&turn),
+                table_of_φ2: self.table_of_φ2.map(&turn),
             }
         }
+    }
+    impl Prepared<f64> {
+        /// The same without tables: functions of one coordinate in closed form everywhere.
+        pub fn exact(self) -> Self {
+            Self {
+                table_of_φ1: Table::none(),
+                table_of_φ2: Table::none(),
+                ..self
+            }
+        }
+    }
+    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    #[inline(always)]
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 0], p: &Prepared<T>) -> [T; 4] {
+        let (sin_φ1, cos_φ1) = φ1.sin_cos();
+        let t1 = (φ1 + 1.5707963267948966) * 0.5;
+        let (t2, t3) = t1.sin_cos();
+        // displacement of `F1`
+        let x_F1 = p.l
+            * (t2 * ((T::from_f64(1.5707963267948966) - φ1) * 0.5).sin() * 2.0);
+        // displacement of `T`
+        let y_T = p.l * (t3 * ((φ1 - 1.5707963267948966) * 0.5).sin() * 2.0);
+        [cos_φ1, sin_φ1, x_F1, y_T]
+    }
+    /// What [`rhs`] needs that depends on `φ2` and params alone, in closed form.
+    #[inline(always)]
+    pub fn functions_of_φ2<T: Real>(φ2: T, d: &[T; 0], p: &Prepared<T>) -> [T; 3] {
+        let (sin_φ2, cos_φ2) = φ2.sin_cos();
+        let half_φ2 = φ2 * 0.5;
+        let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
+        [cos_φ2, sin_φ2, p.l * (cos_half_φ2 * sin_half_φ2 * 2.0)]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -323,65 +375,59 @@ pub mod xy_stage {
         let dφ1 = x[1];
         let φ2 = x[2];
         let dφ2 = x[3];
+        let [cos_φ1, sin_φ1, x_F1, y_T] = p
+            .table_of_φ1
+            .values(φ1, || functions_of_φ1(φ1, d, p));
+        let [cos_φ2, sin_φ2, t1] = p
+            .table_of_φ2
+            .values(φ2, || functions_of_φ2(φ2, d, p));
         // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
         let M12 = p.half_C2 * cos_φ1_minus_φ2;
         // determinant of the inertia
         let det_M = p.C0_C1 - M12 * M12;
         let per_det_M = det_M.recip();
-        let t1 = φ1 - 1.5707963267948966;
         // slope of the potential energy of springs
-        let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * t1;
+        let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * (φ1 - 1.5707963267948966);
         let l_sin_φ1 = p.l * sin_φ1;
-        let t2 = (φ1 + 1.5707963267948966) * 0.5;
-        let (t3, t4) = t2.sin_cos();
-        // displacement of `F1`
-        let x_F1 = p.l
-            * (t3 * ((T::from_f64(1.5707963267948966) - φ1) * 0.5).sin() * 2.0);
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
         // slope of the inertia
         let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
         // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
-        // displacement of `T`
-        let y_T = p.l * (t4 * (t1 * 0.5).sin() * 2.0);
-        let half_φ2 = φ2 * 0.5;
-        let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
-        let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
+        let y_P1 = y_T + t1;
         // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
         // ── state ──
-        let t5 = p.constant1 * t;
-        let (t6, t7) = t5.sin_cos();
+        let t2 = p.constant1 * t;
+        let (t3, t4) = t2.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t6;
+        let ux = p.stroke * t3;
         // rate of the drive `ux`
-        let dux = p.constant2 * t7;
+        let dux = p.constant2 * t4;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         // centrifugal and Coriolis terms
         let h1 = dM12_dφ2 * (dφ2 * dφ2);
-        let t8 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
-        let t9 = p.constant3 * t;
-        let (t10, t11) = t9.sin_cos();
+        let t5 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
+        let t6 = p.constant3 * t;
+        let (t7, t8) = t6.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t10;
+        let uy = p.stroke * t7;
         // rate of the drive `uy`
-        let duy = p.constant4 * t11;
+        let duy = p.constant4 * t8;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
         // generalized torque of all other forces
         let τ2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
         // centrifugal and Coriolis terms
         let h2 = dM12_dφ1 * (dφ1 * dφ1);
-        let t12 = dP_s_dφ2 - τ2 + h2;
-        let ddφ1 = -(per_det_M * (p.C1 * t8 - M12 * t12));
-        let ddφ2 = -(per_det_M * (p.C0 * t12 - M12 * t8));
+        let t9 = dP_s_dφ2 - τ2 + h2;
+        let ddφ1 = -(per_det_M * (p.C1 * t5 - M12 * t9));
+        let ddφ2 = -(per_det_M * (p.C0 * t9 - M12 * t5));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -748,6 +794,15 @@ pub mod xy_stage {
             const NAMES: [&str; 0] = [];
             NAMES[index]
         }
+        fn tables(&self) -> Vec<TableReport> {
+            [self.table_of_φ1.report(0), self.table_of_φ2.report(2)]
+                .into_iter()
+                .flatten()
+                .collect()
+        }
+        fn is_outside_tables(&self, x: &[f64]) -> bool {
+            self.table_of_φ1.is_left_by(x[0]) || self.table_of_φ2.is_left_by(x[2])
+        }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.
     pub static VARIABLES: [Variable; 20] = [
@@ -897,6 +952,8 @@ pub mod xy_stage {
     static DISCRETES: &[Variable] = VARIABLES.split_at(18).1.split_at(0).0;
     static INPUTS: &[Variable] = VARIABLES.split_at(18).1.split_at(0).0;
     static OUTPUTS: &[Variable] = VARIABLES.split_at(18).1.split_at(2).0;
+    /// Positions of the coordinates and of their rates among the states.
+    static COORDINATES: [(usize, usize); 2] = [(0, 1), (2, 3)];
     static TURNING: [usize; 0] = [];
     static FAILURES: [Failure; 12] = [
         Failure {

@@ -51,6 +51,9 @@ pub enum Ending {
 pub struct Statistics {
     /// Steps that count.
     pub accepted: u64,
+    /// Steps among them that ended outside of the interval of a table, where the right-hand side
+    /// evaluates the closed form: none if there are no tables.
+    pub outside_tables: u64,
     /// Steps tried in vain: too inaccurate, a body turned too far, a loop that could not close.
     pub rejected: u64,
     /// Evaluations of the right-hand side.

@@ -332,6 +332,11 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
                 .inside(&mut self.flow, &mut self.method, &step, taken.end),
         )?;
         self.summary.statistics.accepted += 1;
+        let is_outside = self
+            .flow
+            .system
+            .is_outside_tables(self.flow.own(&self.x_end));
+        self.summary.statistics.outside_tables += u64::from(is_outside);
         if let Pace::Adaptive(control) = &mut self.pace {
             control.accepted(taken.h, error, self.flow.own(&self.x_end));
         }

@@ -82,6 +82,8 @@ pub enum Load {
     Discrete(u32),
     /// An input.
     Input(u32),
+    /// A function of one coordinate, counted over all configurations.
+    Tabulated(u32),
 }
 
 /// What the first registers hold: fixed when a parameter set is prepared.
@@ -116,6 +118,22 @@ pub(super) struct Arguments<'a> {
     pub x: &'a [f64],
     pub d: &'a [f64],
     pub u: &'a [f64],
+    /// Values of the functions of one coordinate.
+    pub tabulated: &'a [f64],
+}
+
+impl<'a> Arguments<'a> {
+    /// Without functions of one coordinate, which only right-hand sides use.
+    pub fn new(t: f64, x: &'a [f64], d: &'a [f64], u: &'a [f64]) -> Self {
+        let tabulated = &[];
+        Self {
+            t,
+            x,
+            d,
+            u,
+            tabulated,
+        }
+    }
 }
 
 /// Registers that are cheap to clear, on the stack.
@@ -171,6 +189,7 @@ impl Tape {
                 Load::State(index) => arguments.x[*index as usize],
                 Load::Discrete(index) => arguments.d[*index as usize],
                 Load::Input(index) => arguments.u[*index as usize],
+                Load::Tabulated(index) => arguments.tabulated[*index as usize],
             };
         }
     }

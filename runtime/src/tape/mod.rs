@@ -10,10 +10,12 @@
 //! hold nothing but numbers, so that they can be handed to other machines.
 
 mod code;
+mod configuration;
 mod operation;
 mod prepare;
 
 pub use code::{Fixed, Instruction, Load, Tape};
+pub use configuration::TapeConfiguration;
 pub use operation::Operation;
 pub use prepare::{Block, Check, PrepareTape, Solve, Step};
 
@@ -22,7 +24,9 @@ use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
 use crate::system::{Energy, EventAction, System, Variable};
+use crate::table::TableReport;
 use code::Arguments;
+use configuration::Configurations;
 
 /// A model as tapes: what the command runs. Cheap to clone.
 #[derive(Clone, Debug)]
@@ -51,6 +55,10 @@ pub struct TapeProgram {
     pub tables: Vec<Vec<f64>>,
     /// What depends on params alone.
     pub prepare: PrepareTape,
+    /// Positions of the coordinates and of their rates among the states.
+    pub coordinates: Vec<(usize, usize)>,
+    /// Functions of one coordinate that the right-hand side is computed of.
+    pub configurations: Vec<TapeConfiguration>,
     /// Rates of the continuous states.
     pub rhs: Tape,
     /// Entries of the Jacobian that are not zero.
@@ -142,7 +150,8 @@ impl TapeModel {
         crate::checks::check_start(&program.states, &start_x)?;
         crate::checks::check_start(&program.discretes, &start_d)?;
         let image = |tape: &Tape| tape.image(&registers);
-        Ok(TapePrepared {
+        let mut prepared = TapePrepared {
+            configurations: Configurations::closed(program, image),
             start_x,
             start_d,
             rhs: image(&program.rhs),
@@ -165,7 +174,9 @@ impl TapeModel {
             accept: image(&program.accept),
             closures: image(&program.closures),
             program: Arc::clone(&self.program),
-        })
+        };
+        prepared.configurations = prepared.configurations.fitted(program, &prepared);
+        Ok(prepared)
     }
 }
 
@@ -173,6 +184,7 @@ impl TapeModel {
 #[derive(Clone, Debug)]
 pub struct TapePrepared {
     program: Arc<TapeProgram>,
+    configurations: Configurations,
     start_x: Vec<f64>,
     start_d: Vec<f64>,
     rhs: Vec<f64>,
@@ -189,6 +201,13 @@ pub struct TapePrepared {
 }
 
 impl TapePrepared {
+    /// The same without tables: functions of one coordinate in closed form everywhere.
+    pub fn exact(mut self) -> Self {
+        let program = Arc::clone(&self.program);
+        self.configurations.forget_tables(&program);
+        self
+    }
+
     fn evaluate(&self, tape: &Tape, image: &[f64], arguments: Arguments<'_>, out: &mut [f64]) {
         tape.evaluate(image, arguments, &self.program.tables, out);
     }
@@ -217,23 +236,31 @@ impl System for TapePrepared {
     }
 
     fn rhs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], dx: &mut [f64]) {
-        self.evaluate(&self.program.rhs, &self.rhs, Arguments { t, x, d, u }, dx);
+        let arguments = Arguments::new(t, x, d, u);
+        self.configurations
+            .with_values(&self.program, arguments, |tabulated| {
+                let arguments = Arguments {
+                    tabulated,
+                    ..arguments
+                };
+                self.evaluate(&self.program.rhs, &self.rhs, arguments, dx);
+            });
     }
 
     fn jacobian(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], jacobian: &mut [f64]) {
         jacobian.fill(0.0);
-        let arguments = Arguments { t, x, d, u };
+        let arguments = Arguments::new(t, x, d, u);
         self.evaluate(&self.program.jacobian, &self.jacobian, arguments, jacobian);
     }
 
     fn outputs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], out: &mut [f64]) {
-        let arguments = Arguments { t, x, d, u };
+        let arguments = Arguments::new(t, x, d, u);
         self.evaluate(&self.program.output_values, &self.outputs, arguments, out);
     }
 
     fn energy(&self, t: f64, x: &[f64], d: &[f64], u: &[f64]) -> Energy {
         let mut values = [0.0; 4];
-        let arguments = Arguments { t, x, d, u };
+        let arguments = Arguments::new(t, x, d, u);
         self.evaluate(&self.program.energy, &self.energy, arguments, &mut values);
         let [kinetic, potential, dissipated_power, supplied_power] = values;
         Energy {
@@ -249,23 +276,13 @@ impl System for TapePrepared {
     }
 
     fn next_kinks(&self, d: &[f64], times: &mut [f64]) {
-        let arguments = Arguments {
-            t: 0.0,
-            x: &[],
-            d,
-            u: &[],
-        };
+        let arguments = Arguments::new(0.0, &[], d, &[]);
         self.evaluate(&self.program.next_kinks, &self.next_kinks, arguments, times);
     }
 
     fn pass_kink(&self, index: usize, d: &mut [f64]) {
         let before = d.to_vec();
-        let arguments = Arguments {
-            t: 0.0,
-            x: &[],
-            d: &before,
-            u: &[],
-        };
+        let arguments = Arguments::new(0.0, &[], &before, &[]);
         self.evaluate(
             &self.program.pass_kink[index],
             &self.pass_kink[index],
@@ -279,7 +296,7 @@ impl System for TapePrepared {
     }
 
     fn events(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
-        let arguments = Arguments { t, x, d, u };
+        let arguments = Arguments::new(t, x, d, u);
         self.evaluate(&self.program.events, &self.events, arguments, values);
     }
 
@@ -297,12 +314,7 @@ impl System for TapePrepared {
     ) -> EventAction {
         let event = &self.program.event_rows[index];
         let (x_before, d_before) = (x.to_vec(), d.to_vec());
-        let arguments = Arguments {
-            t,
-            x: &x_before,
-            d: &d_before,
-            u,
-        };
+        let arguments = Arguments::new(t, &x_before, &d_before, u);
         self.evaluate(&event.states, &self.event_states[index], arguments, x);
         self.evaluate(&event.discretes, &self.event_discretes[index], arguments, d);
         match &event.stop {
@@ -316,12 +328,7 @@ impl System for TapePrepared {
             return;
         }
         let before = d.to_vec();
-        let arguments = Arguments {
-            t,
-            x,
-            d: &before,
-            u,
-        };
+        let arguments = Arguments::new(t, x, &before, u);
         self.evaluate(&self.program.accept, &self.accept, arguments, d);
     }
 
@@ -334,11 +341,19 @@ impl System for TapePrepared {
     }
 
     fn closures(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], values: &mut [f64]) {
-        let arguments = Arguments { t, x, d, u };
+        let arguments = Arguments::new(t, x, d, u);
         self.evaluate(&self.program.closures, &self.closures, arguments, values);
     }
 
     fn loop_name(&self, index: usize) -> &str {
         &self.program.loop_names[index]
+    }
+
+    fn tables(&self) -> Vec<TableReport> {
+        self.configurations.reports(&self.program)
+    }
+
+    fn is_outside_tables(&self, x: &[f64]) -> bool {
+        self.configurations.is_outside(&self.program, x)
     }
 }

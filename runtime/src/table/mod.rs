@@ -1,0 +1,198 @@
+//! Tables of functions of one coordinate, as polynomials on an interval about the start.
+//!
+//! ```text
+//! closed form ──expected motion──▶ interval ──nodes, decay, check──▶ Fit ──▶ Table
+//! ```
+//!
+//! Whatever depends on one coordinate alone (closure of loops, ratios, inertia, slopes of the
+//! potential) is analytic, and flexures move it by a few hundredths of a radian. There Chebyshev
+//! expansions of low degree give it to rounding. They are made when a parameter set is prepared and
+//! never change afterwards, so that a run depends on nothing but its own inputs; outside of the
+//! interval the closed form is evaluated.
+
+mod chebyshev;
+mod fit;
+mod motion;
+
+pub use fit::{Fit, fit};
+
+use crate::real::Real;
+
+/// Largest degree of a table: where more is needed, the interval is made narrower.
+pub const LARGEST_DEGREE: usize = 12;
+/// Coefficients of an even and the next odd power stand together.
+const PAIRS: usize = LARGEST_DEGREE / 2 + 1;
+
+/// `N` functions of one coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Table<T, const N: usize> {
+    center: T,
+    /// 0 if there is no interval.
+    half_width: T,
+    per_half_width: T,
+    error: T,
+    degree: usize,
+    /// Whether an interval was looked for.
+    is_fitted: bool,
+    /// Of the powers 2i and 2i + 1 of (q - center) / half_width, at i.
+    coefficients: [[[T; N]; 2]; PAIRS],
+}
+
+/// What a prepared model says of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableReport {
+    /// Position of the coordinate among the states.
+    pub coordinate: usize,
+    /// Middle of the interval, in the coordinate's unit.
+    pub center: f64,
+    /// Half the interval's length; 0 if no interval was found on which the functions can be had
+    /// to rounding, and their closed form is evaluated everywhere.
+    pub half_width: f64,
+    /// Degree of the polynomials.
+    pub degree: usize,
+    /// Number of functions.
+    pub functions: usize,
+    /// Largest difference from the closed form that was measured off the nodes, relative to each
+    /// function's largest size on the interval.
+    pub error: f64,
+}
+
+impl<const N: usize> Table<f64, N> {
+    /// A table with an empty interval: the closed form everywhere.
+    pub fn none() -> Self {
+        Self {
+            center: 0.0,
+            half_width: 0.0,
+            per_half_width: 0.0,
+            error: 0.0,
+            degree: 0,
+            is_fitted: false,
+            coefficients: [[[0.0; N]; 2]; PAIRS],
+        }
+    }
+
+    /// The functions `first..first + N` of a fit; those that it does not have are zero.
+    pub fn new(fit: &Fit, first: usize) -> Self {
+        let mut table = Self::none();
+        table.is_fitted = true;
+        if fit.half_width > 0.0 {
+            table.center = fit.center;
+            table.half_width = fit.half_width;
+            table.per_half_width = 1.0 / fit.half_width;
+            table.error = fit.error;
+            table.degree = fit.degree;
+            for (power, row) in fit.coefficients.iter().enumerate() {
+                let to = &mut table.coefficients[power / 2][power % 2];
+                for (to, from) in to.iter_mut().zip(row.iter().skip(first)) {
+                    *to = *from;
+                }
+            }
+        }
+        table
+    }
+
+    /// Whether a value of the coordinate is inside the interval.
+    #[inline(always)]
+    pub fn holds(&self, coordinate: f64) -> bool {
+        self.inside(coordinate) > 0.0
+    }
+
+    /// Whether there is an interval to be in, or might have been, and a value of the coordinate is
+    /// outside.
+    pub fn is_left_by(&self, coordinate: f64) -> bool {
+        self.is_fitted && !self.holds(coordinate)
+    }
+
+    /// What there is to say of it, if it is in use; `coordinate` is the coordinate's position among
+    /// the states.
+    pub fn report(&self, coordinate: usize) -> Option<TableReport> {
+        self.is_fitted.then_some(TableReport {
+            coordinate,
+            center: self.center,
+            half_width: self.half_width,
+            degree: self.degree,
+            functions: N,
+            error: self.error,
+        })
+    }
+}
+
+impl<T: Copy, const N: usize> Table<T, N> {
+    /// The same with every number turned into another.
+    pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Table<U, N> {
+        Table {
+            center: turn(self.center),
+            half_width: turn(self.half_width),
+            per_half_width: turn(self.per_half_width),
+            error: turn(self.error),
+            degree: self.degree,
+            is_fitted: self.is_fitted,
+            coefficients: self.coefficients.map(|pair| pair.map(|row| row.map(&turn))),
+        }
+    }
+
+    /// One table of several, entry by entry: for lanes. A lower degree is filled up with zeros,
+    /// which change nothing.
+    pub fn zip<U: Copy, const M: usize>(
+        tables: [&Table<U, N>; M],
+        join: impl Fn([U; M]) -> T,
+    ) -> Self {
+        Self {
+            center: join(tables.map(|table| table.center)),
+            half_width: join(tables.map(|table| table.half_width)),
+            per_half_width: join(tables.map(|table| table.per_half_width)),
+            error: join(tables.map(|table| table.error)),
+            degree: tables.iter().map(|table| table.degree).max().unwrap_or(0),
+            is_fitted: tables.iter().any(|table| table.is_fitted),
+            coefficients: std::array::from_fn(|i| {
+                std::array::from_fn(|odd| {
+                    std::array::from_fn(|k| join(tables.map(|table| table.coefficients[i][odd][k])))
+                })
+            }),
+        }
+    }
+}
+
+impl<T: Real, const N: usize> Table<T, N> {
+    /// The functions at a value of their coordinate: `closed_form` gives them outside of the
+    /// interval. What a lane gets does not depend on the others.
+    #[inline(always)]
+    pub fn values(&self, coordinate: T, closed_form: impl FnOnce() -> [T; N]) -> [T; N] {
+        let inside = self.inside(coordinate);
+        if inside.all_positive() {
+            return self.polynomials(coordinate);
+        }
+        let exact = closed_form();
+        if !inside.any_positive() {
+            return exact;
+        }
+        let near = self.polynomials(coordinate);
+        std::array::from_fn(|k| inside.if_positive(near[k], exact[k]))
+    }
+
+    /// Positive where the coordinate is inside the interval.
+    #[inline(always)]
+    fn inside(&self, coordinate: T) -> T {
+        self.half_width - (coordinate - self.center).abs()
+    }
+
+    /// The polynomials: powers of the square, even and odd ones side by side, which takes half the
+    /// time of one chain after the other.
+    #[inline(always)]
+    pub fn polynomials(&self, coordinate: T) -> [T; N] {
+        let s = (coordinate - self.center) * self.per_half_width;
+        let square = s * s;
+        let last = (self.degree / 2).min(PAIRS - 1);
+        let [mut even, mut odd] = self.coefficients[last];
+        for [next_even, next_odd] in self.coefficients[..last].iter().rev() {
+            for k in 0..N {
+                even[k] = even[k].times_plus(square, next_even[k]);
+                odd[k] = odd[k].times_plus(square, next_odd[k]);
+            }
+        }
+        for k in 0..N {
+            even[k] = odd[k].times_plus(s, even[k]);
+        }
+        even
+    }
+}
