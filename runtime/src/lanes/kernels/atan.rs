@@ -7,9 +7,9 @@ const ORDINARY: [f64; 2] = [1e-290, 1e300];
 
 /// Direction in rad of the vector (`x`, `y`).
 ///
-/// The quotient of the smaller by the larger component is turned by -π/4 where it is more than
-/// tan π/8; what remains is a polynomial of least error (2⁻⁵⁷, by Remez's algorithm). Signs of
-/// zeros count as in C's `atan2`.
+/// Where the smaller component is more than half the larger one, the vector is first turned by
+/// -π/4, which loses nothing: their difference is exact. Of the quotient, the angle is a polynomial
+/// of least error (2⁻⁵⁷, by Remez's algorithm). Signs of zeros count as in C's `atan2`.
 #[inline(always)]
 pub(crate) fn atan2<V: Vector>(y: V, x: V) -> V {
     let (a, b) = (y.abs(), x.abs());
@@ -24,9 +24,8 @@ pub(crate) fn atan2<V: Vector>(y: V, x: V) -> V {
     } else {
         ordinary(smaller, larger)
     };
-    // The angle is eighths · π/4 + turned, and turned is within ± π/8.
-    const TAN_PI_8: f64 = 0.41421356237309503;
-    let turn = (larger * TAN_PI_8).less(smaller);
+    // The angle is eighths · π/4 + turned.
+    let turn = (larger * 0.5).less(smaller);
     let quotient =
         V::choose(turn, smaller - larger, smaller) / V::choose(turn, smaller + larger, larger);
     let eighths = V::choose(turn, V::from_f64(1.0), V::from_f64(0.0));
@@ -36,24 +35,24 @@ pub(crate) fn atan2<V: Vector>(y: V, x: V) -> V {
     let eighths = V::choose(x.negative(), -eighths + 4.0, eighths);
     let turned = turned.flip(x);
     // π/4 in two parts, the first so short that three bits times it are exact.
-    const PI_4: [f64; 2] = [0.7853981633974483, 3.061616997868383e-17];
+    const PI_4: [f64; 2] = [std::f64::consts::FRAC_PI_4, 3.061616997868383e-17];
     let angle = eighths * PI_4[0] + (eighths * PI_4[1] + turned);
     angle.flip(y)
 }
 
-/// Angle whose tangent is `q`, |q| ≤ tan π/8.
+/// Angle whose tangent is `q`, |q| ≤ 1/2.
 #[inline(always)]
 fn of_small<V: Vector>(q: V) -> V {
     let square = q * q;
     let fourth = square * square;
     let eighth = fourth * fourth;
     // (atan q - q) / q³.
-    let p0 = line(square, -0.3333333333333327, 0.1999999999996931);
-    let p1 = line(square, -0.14285714281383594, 0.11111110826554521);
-    let p2 = line(square, -0.09090898612249838, 0.0769206975560529);
-    let p3 = line(square, -0.06663159017698306, 0.05847964147786988);
-    let p4 = line(square, -0.050384123566209825, 0.038015558998414495);
-    let p5 = V::from_f64(-0.017829154174460977);
+    let p0 = line(square, -0.33333333333333176, 0.1999999999993913);
+    let p1 = line(square, -0.14285714278687195, 0.11111110731555018);
+    let p2 = line(square, -0.09090897509709353, 0.0769208717949821);
+    let p3 = line(square, -0.06663893300568466, 0.05858572834111996);
+    let p4 = line(square, -0.0512220024772796, 0.0418471883744199);
+    let p5 = line(square, -0.02737569026044691, 0.010057758245358563);
     let low = fourth.times_plus(p1, p0);
     let middle = fourth.times_plus(p3, p2);
     let high = fourth.times_plus(p5, p4);

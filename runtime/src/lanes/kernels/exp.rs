@@ -11,6 +11,22 @@ const LN_2: [f64; 2] = [0.6931471803691238, 1.9082149292705877e-10];
 /// times 2ⁿ.
 #[inline(always)]
 pub(crate) fn exp<V: Vector>(x: V) -> V {
+    let (r, rest, whole) = reduce(x);
+    (less_one(r, rest) + 1.0).scale(whole)
+}
+
+/// e to the power `x + rest`, the rest half a unit in the last place of `x` or little more.
+#[inline(always)]
+pub(super) fn exp_of_sum<V: Vector>(x: V, rest: V) -> V {
+    let (r, own_rest, whole) = reduce(x);
+    let rest = own_rest + rest;
+    let sum = r + rest;
+    (less_one(sum, (r - sum) + rest) + 1.0).scale(whole)
+}
+
+/// The exponent less n·ln 2, what is missing in that, and [`WHOLE`] plus n.
+#[inline(always)]
+fn reduce<V: Vector>(x: V) -> (V, V, V) {
     // Beyond, the result is zero or infinite anyway; not a number remains so.
     let x = V::from_f64(-746.0).larger(V::from_f64(710.0).smaller(x));
     let whole = x.times_plus(V::from_f64(std::f64::consts::LOG2_E), V::from_f64(WHOLE));
@@ -18,13 +34,12 @@ pub(crate) fn exp<V: Vector>(x: V) -> V {
     let first = minus_n.times_plus(V::from_f64(LN_2[0]), x);
     let second = minus_n * LN_2[1];
     let r = first + second;
-    let rest = (first - r) + second;
-    (less_one(r, rest) + 1.0).scale(whole)
+    (r, (first - r) + second, whole)
 }
 
 /// e to the power `r + rest`, less one, for |r| ≤ ln 2 / 2.
 #[inline(always)]
-pub(super) fn less_one<V: Vector>(r: V, rest: V) -> V {
+fn less_one<V: Vector>(r: V, rest: V) -> V {
     let square = r * r;
     let fourth = square * square;
     // (eʳ - 1 - r) / r².

@@ -31,7 +31,7 @@ fn ln_of_one(x: f64) -> f64 {
     if x == 0.0 {
         return f64::NEG_INFINITY;
     }
-    if !(x > 0.0) {
+    if x.is_nan() || x < 0.0 {
         return f64::NAN;
     }
     if x == f64::INFINITY {

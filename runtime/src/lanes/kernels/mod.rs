@@ -19,8 +19,9 @@ use super::Lanes;
 /// 1.5·2⁵²: a number added to this is rounded to a whole one, which then stands in the lowest bits.
 pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// Below this, [`WHOLE`] rounds; from here on, every number is a whole one or has few bits left.
-const LARGEST_ROUNDED: f64 = 2_251_799_813_685_248.0;
+/// 2⁵²: from here on, every number is a whole one; one from zero to this, added to it, is rounded
+/// to a whole one.
+const LARGEST_FRACTION: f64 = 4_503_599_627_370_496.0;
 
 /// What kernels need of lanes beyond arithmetic: masks and bits.
 pub(crate) trait Vector: Lanes {
@@ -69,8 +70,9 @@ pub(crate) trait Vector: Lanes {
     #[inline(always)]
     fn nearest(self) -> Self {
         let size = self.abs();
-        let small = size.less(Self::from_f64(LARGEST_ROUNDED));
-        Self::choose(small, (size + WHOLE) - WHOLE, size).flip(self)
+        let small = size.less(Self::from_f64(LARGEST_FRACTION));
+        let rounded = (size + LARGEST_FRACTION) - LARGEST_FRACTION;
+        Self::choose(small, rounded, size).flip(self)
     }
 }
 

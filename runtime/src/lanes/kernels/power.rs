@@ -1,7 +1,7 @@
 //! Powers, entry by entry.
 
 use super::super::Lanes;
-use super::exp::exp;
+use super::exp::exp_of_sum;
 use super::log::split;
 
 /// Each entry of `x` to the power of that of `exponent`.
@@ -64,13 +64,7 @@ fn ordinary(x: f64, y: f64) -> f64 {
         (y, high, low)
     };
     let (product, rest) = exact_product(y, high);
-    let result = exp(product);
-    // The rest is too small to matter where the result is infinite.
-    if result.is_finite() {
-        result + result * (rest + y * low)
-    } else {
-        result
-    }
+    exp_of_sum(product, rest + y * low)
 }
 
 /// 2³⁰⁰.

@@ -86,7 +86,7 @@ fn sum<V: Vector>(a: V, b: V) -> (V, V) {
 fn beyond<V: Vector>(x: V, reduced: Reduced<V>) -> Reduced<V> {
     let entry = |i: usize| {
         let x = x.entry(i);
-        (!(x < LARGEST)).then(|| reduce_large(x))
+        (x >= LARGEST || x.is_nan()).then(|| reduce_large(x))
     };
     Reduced {
         angle: replaced(reduced.angle, |i| entry(i).map(|r| r.angle)),
@@ -169,7 +169,7 @@ fn of_quarter(fraction: u128) -> (f64, f64) {
 fn high_half(a: u128, b: u128) -> u128 {
     const LOW: u128 = u64::MAX as u128;
     let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
-    let middle = a1 * b0 + (a0 * b0 >> 64);
+    let middle = a1 * b0 + ((a0 * b0) >> 64);
     a1 * b1 + (middle >> 64) + ((a0 * b1 + (middle & LOW)) >> 64)
 }
 
