@@ -124,53 +124,56 @@ impl Real for Dual {
         self.through(root, 0.5 / root)
     }
     fn sin(self) -> Self {
-        self.through(self.value.sin(), self.value.cos())
+        self.through(Real::sin(self.value), Real::cos(self.value))
     }
     fn cos(self) -> Self {
-        self.through(self.value.cos(), -self.value.sin())
+        self.through(Real::cos(self.value), -Real::sin(self.value))
     }
     fn sin_cos(self) -> (Self, Self) {
         (Real::sin(self), Real::cos(self))
     }
     fn tan(self) -> Self {
-        let tan = self.value.tan();
+        let tan = Real::tan(self.value);
         self.through(tan, 1.0 + tan * tan)
     }
     fn asin(self) -> Self {
         let slope = 1.0 / (1.0 - self.value * self.value).sqrt();
-        self.through(self.value.asin(), slope)
+        self.through(Real::asin(self.value), slope)
     }
     fn acos(self) -> Self {
         let slope = -1.0 / (1.0 - self.value * self.value).sqrt();
-        self.through(self.value.acos(), slope)
+        self.through(Real::acos(self.value), slope)
     }
     fn atan(self) -> Self {
-        self.through(self.value.atan(), 1.0 / (1.0 + self.value * self.value))
+        self.through(
+            Real::atan(self.value),
+            1.0 / (1.0 + self.value * self.value),
+        )
     }
     fn tanh(self) -> Self {
-        let tanh = self.value.tanh();
+        let tanh = Real::tanh(self.value);
         self.through(tanh, 1.0 - tanh * tanh)
     }
     fn exp(self) -> Self {
-        let exp = self.value.exp();
+        let exp = Real::exp(self.value);
         self.through(exp, exp)
     }
     fn ln(self) -> Self {
-        self.through(self.value.ln(), 1.0 / self.value)
+        self.through(Real::ln(self.value), 1.0 / self.value)
     }
     fn abs(self) -> Self {
-        self.through(self.value.abs(), Real::sign(self.value))
+        self.through(Real::abs(self.value), Real::sign(self.value))
     }
     fn sign(self) -> Self {
         self.through(Real::sign(self.value), 0.0)
     }
     fn floor(self) -> Self {
-        self.through(self.value.floor(), 0.0)
+        self.through(Real::floor(self.value), 0.0)
     }
     fn atan2(self, x: Self) -> Self {
         let norm = self.value * self.value + x.value * x.value;
         Self {
-            value: self.value.atan2(x.value),
+            value: Real::atan2(self.value, x.value),
             rate: (x.value * self.rate - self.value * x.rate) / norm,
         }
     }
@@ -189,13 +192,13 @@ impl Real for Dual {
         }
     }
     fn power(self, exponent: Self) -> Self {
-        let value = self.value.powf(exponent.value);
+        let value = self.value.power(exponent.value);
         let mut rate = 0.0;
         if self.rate != 0.0 {
-            rate += exponent.value * self.value.powf(exponent.value - 1.0) * self.rate;
+            rate += exponent.value * self.value.power(exponent.value - 1.0) * self.rate;
         }
         if exponent.rate != 0.0 {
-            rate += value * self.value.ln() * exponent.rate;
+            rate += value * Real::ln(self.value) * exponent.rate;
         }
         Self { value, rate }
     }

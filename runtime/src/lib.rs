@@ -1,5 +1,7 @@
 //! What generated simulators and the `flexure` command run on.
 
+#![deny(unsafe_code, unsafe_op_in_unsafe_fn)]
+
 pub mod checks;
 pub mod diagnostic;
 pub mod dual;

@@ -7,6 +7,8 @@
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::lanes::real_by_kernels;
+
 /// A number that equations of motion can be evaluated with.
 ///
 /// Every function agrees with the definition in [`impl Real for f64`](#impl-Real-for-f64), which is
@@ -84,74 +86,12 @@ impl Real for f64 {
         value
     }
     #[inline(always)]
-    fn recip(self) -> Self {
-        1.0 / self
-    }
-    #[inline(always)]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
     #[inline(always)]
-    fn sin(self) -> Self {
-        f64::sin(self)
-    }
-    #[inline(always)]
-    fn cos(self) -> Self {
-        f64::cos(self)
-    }
-    #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        f64::sin_cos(self)
-    }
-    #[inline(always)]
-    fn tan(self) -> Self {
-        f64::tan(self)
-    }
-    #[inline(always)]
-    fn asin(self) -> Self {
-        f64::asin(self)
-    }
-    #[inline(always)]
-    fn acos(self) -> Self {
-        f64::acos(self)
-    }
-    #[inline(always)]
-    fn atan(self) -> Self {
-        f64::atan(self)
-    }
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        f64::tanh(self)
-    }
-    #[inline(always)]
-    fn exp(self) -> Self {
-        f64::exp(self)
-    }
-    #[inline(always)]
-    fn ln(self) -> Self {
-        f64::ln(self)
-    }
-    #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
-    }
-    #[inline(always)]
-    fn sign(self) -> Self {
-        if self > 0.0 {
-            1.0
-        } else if self < 0.0 {
-            -1.0
-        } else {
-            0.0 * self
-        }
-    }
-    #[inline(always)]
-    fn floor(self) -> Self {
-        f64::floor(self)
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        f64::atan2(self, x)
     }
     #[inline(always)]
     fn smaller(self, other: Self) -> Self {
@@ -160,19 +100,6 @@ impl Real for f64 {
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         if self > other { self } else { other }
-    }
-    #[inline(always)]
-    fn power(self, exponent: Self) -> Self {
-        f64::powf(self, exponent)
-    }
-    #[inline(always)]
-    fn unwrap_to(self, reference: Self) -> Self {
-        const TURN: f64 = 2.0 * std::f64::consts::PI;
-        self - TURN * ((self - reference) / TURN).round()
-    }
-    #[inline(always)]
-    fn if_positive(self, yes: Self, no: Self) -> Self {
-        if self > 0.0 { yes } else { no }
     }
     #[inline(always)]
     fn lookup(self, table: &[f64]) -> Self {
@@ -192,4 +119,5 @@ impl Real for f64 {
     fn any_positive(self) -> bool {
         self > 0.0
     }
+    real_by_kernels!();
 }

@@ -97,7 +97,8 @@ impl<const N: usize> Real for Portable<N> {
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        (self.sin(), self.cos())
+        let both = self.0.map(Real::sin_cos);
+        (Self(both.map(|b| b.0)), Self(both.map(|b| b.1)))
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
