@@ -15,7 +15,7 @@ use crate::values::{Node, Stage, Value};
 const LINE: usize = 64;
 
 /// Names that generated functions use themselves, or that would be patterns instead of names.
-pub(super) const RESERVED: [&str; 34] = [
+pub(super) const RESERVED: [&str; 36] = [
     "t",
     "x",
     "d",
@@ -39,6 +39,8 @@ pub(super) const RESERVED: [&str; 34] = [
     "Self",
     "Real",
     "System",
+    "LaneSystem",
+    "Lanes",
     "Variable",
     "Energy",
     "EventAction",

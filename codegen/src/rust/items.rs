@@ -133,6 +133,23 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
                     #(#fields: turn(self.#fields),)*
                 }
             }
+
+            /// Every number joined with the one that stands in its place in `other`.
+            pub fn zip<U: Copy, V>(
+                &self,
+                other: &Prepared<U>,
+                join: impl Fn(T, U) -> V,
+            ) -> Prepared<V> {
+                Prepared {
+                    start_states: std::array::from_fn(|i| {
+                        join(self.start_states[i], other.start_states[i])
+                    }),
+                    start_discretes: std::array::from_fn(|i| {
+                        join(self.start_discretes[i], other.start_discretes[i])
+                    }),
+                    #(#fields: join(self.#fields, other.#fields),)*
+                }
+            }
         }
     }
 }

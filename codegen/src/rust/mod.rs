@@ -14,6 +14,7 @@ mod body;
 mod expression;
 mod function;
 mod items;
+mod lane_system;
 mod prepare;
 mod skeleton;
 mod system;
@@ -84,6 +85,7 @@ fn module(
     let prepared = items::prepared_type(&writer);
     let functions = function::functions(&writer);
     let system = system::system(&writer);
+    let lane_system = lane_system::lane_system();
     let tables = items::tables(program, &messages, texts.equations, texts.latex);
     let name = ident(&module_name(&program.name));
     let doc = documentation(program);
@@ -97,6 +99,7 @@ fn module(
             use #runtime::diagnostic::{Diagnostic, Site};
             use #runtime::failure::{Failure, Unit};
             use #runtime::generated::{array, array_mut};
+            use #runtime::lanes::{LaneSystem, Lanes};
             use #runtime::newton;
             use #runtime::real::Real;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -105,6 +108,7 @@ fn module(
             #prepared
             #functions
             #system
+            #lane_system
             #tables
         }
     }

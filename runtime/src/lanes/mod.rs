@@ -5,8 +5,10 @@
 //! lane computes depends on nothing in the others, bit for bit.
 
 mod portable;
+mod system;
 
 pub use portable::Portable;
+pub use system::LaneSystem;
 
 use crate::real::Real;
 

@@ -10,10 +10,12 @@
 //! hold nothing but numbers, so that they can be handed to other machines.
 
 mod code;
+mod lanes;
 mod operation;
 mod prepare;
 
 pub use code::{Fixed, Instruction, Load, Tape};
+pub use lanes::TapeLanes;
 pub use operation::Operation;
 pub use prepare::{Block, Check, PrepareTape, Solve, Step};
 
@@ -189,7 +191,7 @@ pub struct TapePrepared {
 }
 
 impl TapePrepared {
-    fn evaluate(&self, tape: &Tape, image: &[f64], arguments: Arguments<'_>, out: &mut [f64]) {
+    fn evaluate(&self, tape: &Tape, image: &[f64], arguments: Arguments<'_, f64>, out: &mut [f64]) {
         tape.evaluate(image, arguments, &self.program.tables, out);
     }
 }
