@@ -12,4 +12,4 @@ pub mod simulate;
 pub mod system;
 pub mod tape;
 
-pub use simulate::{Run, simulate};
+pub use simulate::{Run, ensemble, simulate};
