@@ -38,7 +38,7 @@ pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, P
 pub use flexure_codegen as codegen;
 pub use flexure_model_dsl as model_dsl;
 pub use flexure_runtime as runtime;
-pub use flexure_runtime::simulate::{Run, simulate};
+pub use flexure_runtime::simulate::{Run, ensemble, simulate};
 pub use model::{Design, Diagnostics, Model, quantity, split_assignment};
 pub use reach::{Approach, Limit, Reach};
 

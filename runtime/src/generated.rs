@@ -5,10 +5,10 @@
 /// # Panics
 /// If the slice has another length: [`System`](crate::system::System) says which it must have.
 #[inline(always)]
-pub fn array<const N: usize>(slice: &[f64]) -> &[f64; N] {
+pub fn array<T, const N: usize>(slice: &[T]) -> &[T; N] {
     slice
         .try_into()
-        .expect("a slice as long as the model has entries")
+        .unwrap_or_else(|_| panic!("a slice as long as the model has entries"))
 }
 
 /// A slice as an array of a known length, to be written.
@@ -16,8 +16,8 @@ pub fn array<const N: usize>(slice: &[f64]) -> &[f64; N] {
 /// # Panics
 /// If the slice has another length: [`System`](crate::system::System) says which it must have.
 #[inline(always)]
-pub fn array_mut<const N: usize>(slice: &mut [f64]) -> &mut [f64; N] {
+pub fn array_mut<T, const N: usize>(slice: &mut [T]) -> &mut [T; N] {
     slice
         .try_into()
-        .expect("a slice as long as the model has entries")
+        .unwrap_or_else(|_| panic!("a slice as long as the model has entries"))
 }

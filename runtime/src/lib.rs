@@ -15,4 +15,4 @@ pub mod system;
 pub mod table;
 pub mod tape;
 
-pub use simulate::{Run, simulate};
+pub use simulate::{Run, ensemble, simulate};

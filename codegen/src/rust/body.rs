@@ -16,7 +16,7 @@ use crate::values::{Node, Stage, Value};
 const LINE: usize = 64;
 
 /// Names that generated functions use themselves, or that would be patterns instead of names.
-pub(super) const RESERVED: [&str; 38] = [
+pub(super) const RESERVED: [&str; 40] = [
     "t",
     "x",
     "d",
@@ -44,6 +44,8 @@ pub(super) const RESERVED: [&str; 38] = [
     "Self",
     "Real",
     "System",
+    "LaneSystem",
+    "Lanes",
     "Variable",
     "Energy",
     "EventAction",

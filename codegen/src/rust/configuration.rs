@@ -106,6 +106,14 @@ pub(super) fn mapped(program: &Program) -> TokenStream {
     each(program, |field, _| quote!(#field: self.#field.map(&turn),))
 }
 
+/// The fields with every number joined with its counterpart.
+pub(super) fn zipped(program: &Program) -> TokenStream {
+    each(
+        program,
+        |field, _| quote!(#field: self.#field.zip(&other.#field, &join),),
+    )
+}
+
 /// The fields with closed forms everywhere.
 pub(super) fn no_tables(program: &Program) -> TokenStream {
     each(program, |field, _| quote!(#field: Table::none(),))

@@ -116,6 +116,7 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
     });
     let tables = configuration::fields(program);
     let mapped = configuration::mapped(program);
+    let zipped = configuration::zipped(program);
     let exact = if program.configurations.is_empty() {
         quote!(self)
     } else {
@@ -142,6 +143,24 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
                     start_discretes: self.start_discretes.map(&turn),
                     #(#fields: turn(self.#fields),)*
                     #mapped
+                }
+            }
+
+            /// Every number joined with the one that stands in its place in `other`.
+            pub fn zip<U: Copy, V>(
+                &self,
+                other: &Prepared<U>,
+                join: impl Fn(T, U) -> V,
+            ) -> Prepared<V> {
+                Prepared {
+                    start_states: std::array::from_fn(|i| {
+                        join(self.start_states[i], other.start_states[i])
+                    }),
+                    start_discretes: std::array::from_fn(|i| {
+                        join(self.start_discretes[i], other.start_discretes[i])
+                    }),
+                    #(#fields: join(self.#fields, other.#fields),)*
+                    #zipped
                 }
             }
         }

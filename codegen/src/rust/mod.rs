@@ -15,6 +15,7 @@ mod configuration;
 mod expression;
 mod function;
 mod items;
+mod lane_system;
 mod prepare;
 mod skeleton;
 mod system;
@@ -86,6 +87,7 @@ fn module(
     let configurations = configuration::functions(&writer);
     let functions = function::functions(&writer);
     let system = system::system(&writer);
+    let lane_system = lane_system::lane_system();
     let tables = items::tables(program, &messages, texts.equations, texts.latex);
     let name = ident(&module_name(&program.name));
     let doc = documentation(program);
@@ -99,6 +101,7 @@ fn module(
             use #runtime::diagnostic::{Diagnostic, Site};
             use #runtime::failure::{Failure, Unit};
             use #runtime::generated::{array, array_mut};
+            use #runtime::lanes::{LaneSystem, Lanes};
             use #runtime::newton;
             use #runtime::real::Real;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -109,6 +112,7 @@ fn module(
             #configurations
             #functions
             #system
+            #lane_system
             #tables
         }
     }

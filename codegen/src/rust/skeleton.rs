@@ -31,6 +31,7 @@ pub fn skeleton(
         #[doc = " Stands in for a model that has an error."]
         pub mod #name {
             use #runtime::diagnostic::Diagnostic;
+            use #runtime::lanes::{LaneSystem, Lanes};
             use #runtime::system::{Energy, EventAction, System, Variable};
 
             /// What may be set.
@@ -105,6 +106,20 @@ pub fn skeleton(
                 fn loop_count(&self) -> usize { 0 }
                 fn closures(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
                 fn loop_name(&self, _: usize) -> &str { "" }
+            }
+
+            impl LaneSystem for Prepared<f64> {
+                type InLanes<L: Lanes> = ();
+                fn in_every_lane<L: Lanes>(&self) {}
+                fn put_in_lane<L: Lanes>(&self, _: usize, _: &mut ()) {}
+                fn rhs_in_lanes<L: Lanes>(_: &(), _: L, _: &[L], _: &[L], _: &[L], _: &mut [L]) {}
+                fn accept_in_lanes<L: Lanes>(_: &(), _: L, _: &[L], _: &[L], _: &mut [L]) {}
+                fn events_in_lanes<L: Lanes>(
+                    _: &(), _: L, _: &[L], _: &[L], _: &[L], _: &mut [L],
+                ) {}
+                fn closures_in_lanes<L: Lanes>(
+                    _: &(), _: L, _: &[L], _: &[L], _: &[L], _: &mut [L],
+                ) {}
             }
         }
     }

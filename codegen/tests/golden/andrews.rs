@@ -19,6 +19,7 @@ pub mod andrews {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -984,6 +985,116 @@ pub mod andrews {
                 constant5: turn(self.constant5),
                 constant6: turn(self.constant6),
                 table_of_β: self.table_of_β.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                rr: join(self.rr, other.rr),
+                d: join(self.d, other.d),
+                ss: join(self.ss, other.ss),
+                sc: join(self.sc, other.sc),
+                sd: join(self.sd, other.sd),
+                e: join(self.e, other.e),
+                zt: join(self.zt, other.zt),
+                zf: join(self.zf, other.zf),
+                u: join(self.u, other.u),
+                xb: join(self.xb, other.xb),
+                yb: join(self.yb, other.yb),
+                c0: join(self.c0, other.c0),
+                mom: join(self.mom, other.mom),
+                C0: join(self.C0, other.C0),
+                constant1: join(self.constant1, other.constant1),
+                d_minus_ss_squared: join(
+                    self.d_minus_ss_squared,
+                    other.d_minus_ss_squared,
+                ),
+                d_plus_ss_squared: join(self.d_plus_ss_squared, other.d_plus_ss_squared),
+                half_ε1: join(self.half_ε1, other.half_ε1),
+                per_d: join(self.per_d, other.per_d),
+                per_ss: join(self.per_ss, other.per_ss),
+                rr_per_d: join(self.rr_per_d, other.rr_per_d),
+                C1: join(self.C1, other.C1),
+                rr_per_ss: join(self.rr_per_ss, other.rr_per_ss),
+                C2: join(self.C2, other.C2),
+                ya_minus_yb: join(self.ya_minus_yb, other.ya_minus_yb),
+                xa_minus_xb: join(self.xa_minus_xb, other.xa_minus_xb),
+                constant2: join(self.constant2, other.constant2),
+                e_minus_zt_squared: join(
+                    self.e_minus_zt_squared,
+                    other.e_minus_zt_squared,
+                ),
+                e_plus_zt_squared: join(self.e_plus_zt_squared, other.e_plus_zt_squared),
+                s3_0: join(self.s3_0, other.s3_0),
+                c3_0: join(self.c3_0, other.c3_0),
+                φ3_0: join(self.φ3_0, other.φ3_0),
+                half_ε2: join(self.half_ε2, other.half_ε2),
+                per_e: join(self.per_e, other.per_e),
+                per_zt: join(self.per_zt, other.per_zt),
+                ss_per_e: join(self.ss_per_e, other.ss_per_e),
+                C3: join(self.C3, other.C3),
+                ss_per_zt: join(self.ss_per_zt, other.ss_per_zt),
+                C4: join(self.C4, other.C4),
+                constant3: join(self.constant3, other.constant3),
+                zf_minus_u_squared: join(
+                    self.zf_minus_u_squared,
+                    other.zf_minus_u_squared,
+                ),
+                zf_plus_u_squared: join(self.zf_plus_u_squared, other.zf_plus_u_squared),
+                half_ε3: join(self.half_ε3, other.half_ε3),
+                per_zf: join(self.per_zf, other.per_zf),
+                per_u: join(self.per_u, other.per_u),
+                ss_per_zf: join(self.ss_per_zf, other.ss_per_zf),
+                C5: join(self.C5, other.C5),
+                ss_per_u: join(self.ss_per_u, other.ss_per_u),
+                C6: join(self.C6, other.C6),
+                C7: join(self.C7, other.C7),
+                C8: join(self.C8, other.C8),
+                C9: join(self.C9, other.C9),
+                Δx_pull_0: join(self.Δx_pull_0, other.Δx_pull_0),
+                Δy_pull_0: join(self.Δy_pull_0, other.Δy_pull_0),
+                L_pull_0: join(self.L_pull_0, other.L_pull_0),
+                L_pull_0_minus_l0: join(self.L_pull_0_minus_l0, other.L_pull_0_minus_l0),
+                two_C1: join(self.two_C1, other.two_C1),
+                two_C2: join(self.two_C2, other.two_C2),
+                two_C3: join(self.two_C3, other.two_C3),
+                two_C4: join(self.two_C4, other.two_C4),
+                two_C5: join(self.two_C5, other.two_C5),
+                two_C6: join(self.two_C6, other.two_C6),
+                two_ss: join(self.two_ss, other.two_ss),
+                two_C7: join(self.two_C7, other.two_C7),
+                two_C8: join(self.two_C8, other.two_C8),
+                two_C9: join(self.two_C9, other.two_C9),
+                s2_0: join(self.s2_0, other.s2_0),
+                c2_0: join(self.c2_0, other.c2_0),
+                φ2_0: join(self.φ2_0, other.φ2_0),
+                s4_0: join(self.s4_0, other.s4_0),
+                c4_0: join(self.c4_0, other.c4_0),
+                φ4_0: join(self.φ4_0, other.φ4_0),
+                s_δ_0: join(self.s_δ_0, other.s_δ_0),
+                c_δ_0: join(self.c_δ_0, other.c_δ_0),
+                δ_0: join(self.δ_0, other.δ_0),
+                s6_0: join(self.s6_0, other.s6_0),
+                c6_0: join(self.c6_0, other.c6_0),
+                φ6_0: join(self.φ6_0, other.φ6_0),
+                s7_0: join(self.s7_0, other.s7_0),
+                c7_0: join(self.c7_0, other.c7_0),
+                φ7_0: join(self.φ7_0, other.φ7_0),
+                half_c0: join(self.half_c0, other.half_c0),
+                constant4: join(self.constant4, other.constant4),
+                constant5: join(self.constant5, other.constant5),
+                constant6: join(self.constant6, other.constant6),
+                table_of_β: self.table_of_β.zip(&other.table_of_β, &join),
             }
         }
     }
@@ -2077,6 +2188,66 @@ pub mod andrews {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_β.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -16,6 +16,7 @@ pub mod bridge_amplifier {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -352,6 +353,53 @@ pub mod bridge_amplifier {
                 half_ks: turn(self.half_ks),
                 per_l_squared: turn(self.per_l_squared),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                l: join(self.l, other.l),
+                mo: join(self.mo, other.mo),
+                k: join(self.k, other.k),
+                ks: join(self.ks, other.ks),
+                cs: join(self.cs, other.cs),
+                stroke: join(self.stroke, other.stroke),
+                l_squared: join(self.l_squared, other.l_squared),
+                C0: join(self.C0, other.C0),
+                φ1_0: join(self.φ1_0, other.φ1_0),
+                ε1: join(self.ε1, other.ε1),
+                per_l: join(self.per_l, other.per_l),
+                C1: join(self.C1, other.C1),
+                C2: join(self.C2, other.C2),
+                c3_0: join(self.c3_0, other.c3_0),
+                s3_0: join(self.s3_0, other.s3_0),
+                two_k: join(self.two_k, other.two_k),
+                φ3_0: join(self.φ3_0, other.φ3_0),
+                constant1: join(self.constant1, other.constant1),
+                constant2: join(self.constant2, other.constant2),
+                constant3: join(self.constant3, other.constant3),
+                L_piezo_0: join(self.L_piezo_0, other.L_piezo_0),
+                constant4: join(self.constant4, other.constant4),
+                two_c: join(self.two_c, other.two_c),
+                two_C1: join(self.two_C1, other.two_C1),
+                two_mo: join(self.two_mo, other.two_mo),
+                _4_c: join(self._4_c, other._4_c),
+                two_l: join(self.two_l, other.two_l),
+                two_C2: join(self.two_C2, other.two_C2),
+                half_k: join(self.half_k, other.half_k),
+                half_ks: join(self.half_ks, other.half_ks),
+                per_l_squared: join(self.per_l_squared, other.per_l_squared),
+                table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
@@ -942,6 +990,66 @@ pub mod bridge_amplifier {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -25,6 +25,7 @@ pub mod double_rocker {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -770,6 +771,104 @@ pub mod double_rocker {
                 constant6: turn(self.constant6),
                 constant7: turn(self.constant7),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                l1: join(self.l1, other.l1),
+                l2: join(self.l2, other.l2),
+                l3: join(self.l3, other.l3),
+                l4: join(self.l4, other.l4),
+                m2: join(self.m2, other.m2),
+                kp: join(self.kp, other.kp),
+                cp: join(self.cp, other.cp),
+                ku: join(self.ku, other.ku),
+                la: join(self.la, other.la),
+                f: join(self.f, other.f),
+                rise: join(self.rise, other.rise),
+                ln: join(self.ln, other.ln),
+                Fp: join(self.Fp, other.Fp),
+                sigma0: join(self.sigma0, other.sigma0),
+                sigma1: join(self.sigma1, other.sigma1),
+                sigma2: join(self.sigma2, other.sigma2),
+                C0: join(self.C0, other.C0),
+                constant1: join(self.constant1, other.constant1),
+                l2_minus_l3_squared: join(
+                    self.l2_minus_l3_squared,
+                    other.l2_minus_l3_squared,
+                ),
+                l2_plus_l3_squared: join(
+                    self.l2_plus_l3_squared,
+                    other.l2_plus_l3_squared,
+                ),
+                half_ε: join(self.half_ε, other.half_ε),
+                per_l2: join(self.per_l2, other.per_l2),
+                per_l3: join(self.per_l3, other.per_l3),
+                l1_per_l2: join(self.l1_per_l2, other.l1_per_l2),
+                r2: join(self.r2, other.r2),
+                C1: join(self.C1, other.C1),
+                l1_per_l3: join(self.l1_per_l3, other.l1_per_l3),
+                C2: join(self.C2, other.C2),
+                cos_beta2: join(self.cos_beta2, other.cos_beta2),
+                sin_beta2: join(self.sin_beta2, other.sin_beta2),
+                C3: join(self.C3, other.C3),
+                k: join(self.k, other.k),
+                c2_0: join(self.c2_0, other.c2_0),
+                s2_0: join(self.s2_0, other.s2_0),
+                c3_0: join(self.c3_0, other.c3_0),
+                s3_0: join(self.s3_0, other.s3_0),
+                cos_beta1: join(self.cos_beta1, other.cos_beta1),
+                sin_beta1: join(self.sin_beta1, other.sin_beta1),
+                cos_beta3: join(self.cos_beta3, other.cos_beta3),
+                sin_beta3: join(self.sin_beta3, other.sin_beta3),
+                m1_r1: join(self.m1_r1, other.m1_r1),
+                m3_r3: join(self.m3_r3, other.m3_r3),
+                F_C: join(self.F_C, other.F_C),
+                per_v_s_squared: join(self.per_v_s_squared, other.per_v_s_squared),
+                F_S_minus_F_C: join(self.F_S_minus_F_C, other.F_S_minus_F_C),
+                per_sigma0: join(self.per_sigma0, other.per_sigma0),
+                two_C1: join(self.two_C1, other.two_C1),
+                two_C2: join(self.two_C2, other.two_C2),
+                constant2: join(self.constant2, other.constant2),
+                stroke_per_rise: join(self.stroke_per_rise, other.stroke_per_rise),
+                constant3: join(self.constant3, other.constant3),
+                stroke_f_per_rise: join(self.stroke_f_per_rise, other.stroke_f_per_rise),
+                per_mp: join(self.per_mp, other.per_mp),
+                per_ms: join(self.per_ms, other.per_ms),
+                constant4: join(self.constant4, other.constant4),
+                two_C3: join(self.two_C3, other.two_C3),
+                la_ku: join(self.la_ku, other.la_ku),
+                dddx_stack_dx_stack: join(
+                    self.dddx_stack_dx_stack,
+                    other.dddx_stack_dx_stack,
+                ),
+                dddx_stack_ddx_stack: join(
+                    self.dddx_stack_ddx_stack,
+                    other.dddx_stack_ddx_stack,
+                ),
+                half_mp: join(self.half_mp, other.half_mp),
+                half_ms: join(self.half_ms, other.half_ms),
+                half_k: join(self.half_k, other.half_k),
+                half_kp: join(self.half_kp, other.half_kp),
+                half_ku: join(self.half_ku, other.half_ku),
+                half_sigma0: join(self.half_sigma0, other.half_sigma0),
+                per_f: join(self.per_f, other.per_f),
+                one_minus_rise: join(self.one_minus_rise, other.one_minus_rise),
+                constant5: join(self.constant5, other.constant5),
+                constant6: join(self.constant6, other.constant6),
+                constant7: join(self.constant7, other.constant7),
+                table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
@@ -1540,6 +1639,66 @@ pub mod double_rocker {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

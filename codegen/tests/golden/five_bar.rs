@@ -15,6 +15,7 @@ pub mod five_bar {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -387,6 +388,53 @@ pub mod five_bar {
                 _3_C4: turn(self._3_C4),
                 half_k: turn(self.half_k),
                 constant2: turn(self.constant2),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                base: join(self.base, other.base),
+                l1: join(self.l1, other.l1),
+                l2: join(self.l2, other.l2),
+                k: join(self.k, other.k),
+                c: join(self.c, other.c),
+                left_torque: join(self.left_torque, other.left_torque),
+                right_torque: join(self.right_torque, other.right_torque),
+                C1: join(self.C1, other.C1),
+                C0: join(self.C0, other.C0),
+                _4_l2_squared: join(self._4_l2_squared, other._4_l2_squared),
+                half_ε: join(self.half_ε, other.half_ε),
+                per_l2: join(self.per_l2, other.per_l2),
+                l1_per_l2: join(self.l1_per_l2, other.l1_per_l2),
+                C3: join(self.C3, other.C3),
+                C2: join(self.C2, other.C2),
+                C5: join(self.C5, other.C5),
+                C4: join(self.C4, other.C4),
+                half_C4: join(self.half_C4, other.half_C4),
+                half_C5: join(self.half_C5, other.half_C5),
+                c3_0: join(self.c3_0, other.c3_0),
+                s3_0: join(self.s3_0, other.s3_0),
+                c4_0: join(self.c4_0, other.c4_0),
+                s4_0: join(self.s4_0, other.s4_0),
+                constant1: join(self.constant1, other.constant1),
+                two_C2: join(self.two_C2, other.two_C2),
+                two_C3: join(self.two_C3, other.two_C3),
+                two_C4: join(self.two_C4, other.two_C4),
+                two_C5: join(self.two_C5, other.two_C5),
+                _3_C5: join(self._3_C5, other._3_C5),
+                _3_C4: join(self._3_C4, other._3_C4),
+                half_k: join(self.half_k, other.half_k),
+                constant2: join(self.constant2, other.constant2),
             }
         }
     }
@@ -1443,6 +1491,66 @@ pub mod five_bar {
                 "left_crank–left_coupler–right_coupler–right_crank",
             ];
             NAMES[index]
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -19,6 +19,7 @@ pub mod four_bar {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -408,6 +409,58 @@ pub mod four_bar {
                 half_k: turn(self.half_k),
                 constant2: turn(self.constant2),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                l1: join(self.l1, other.l1),
+                l2: join(self.l2, other.l2),
+                l3: join(self.l3, other.l3),
+                l4: join(self.l4, other.l4),
+                m2: join(self.m2, other.m2),
+                C0: join(self.C0, other.C0),
+                constant1: join(self.constant1, other.constant1),
+                l2_minus_l3_squared: join(
+                    self.l2_minus_l3_squared,
+                    other.l2_minus_l3_squared,
+                ),
+                l2_plus_l3_squared: join(
+                    self.l2_plus_l3_squared,
+                    other.l2_plus_l3_squared,
+                ),
+                half_ε: join(self.half_ε, other.half_ε),
+                per_l2: join(self.per_l2, other.per_l2),
+                per_l3: join(self.per_l3, other.per_l3),
+                l1_per_l2: join(self.l1_per_l2, other.l1_per_l2),
+                r2: join(self.r2, other.r2),
+                C1: join(self.C1, other.C1),
+                l1_per_l3: join(self.l1_per_l3, other.l1_per_l3),
+                C2: join(self.C2, other.C2),
+                C3: join(self.C3, other.C3),
+                k: join(self.k, other.k),
+                c2_0: join(self.c2_0, other.c2_0),
+                s2_0: join(self.s2_0, other.s2_0),
+                c3_0: join(self.c3_0, other.c3_0),
+                s3_0: join(self.s3_0, other.s3_0),
+                m1_r1: join(self.m1_r1, other.m1_r1),
+                m3_r3: join(self.m3_r3, other.m3_r3),
+                two_C1: join(self.two_C1, other.two_C1),
+                two_C2: join(self.two_C2, other.two_C2),
+                two_C3: join(self.two_C3, other.two_C3),
+                half_k: join(self.half_k, other.half_k),
+                constant2: join(self.constant2, other.constant2),
+                table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
@@ -977,6 +1030,66 @@ pub mod four_bar {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

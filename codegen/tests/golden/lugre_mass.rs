@@ -19,6 +19,7 @@ pub mod lugre_mass {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -226,6 +227,39 @@ pub mod lugre_mass {
                 half_m: turn(self.half_m),
                 half_k: turn(self.half_k),
                 half_sigma0: turn(self.half_sigma0),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                k: join(self.k, other.k),
+                pull: join(self.pull, other.pull),
+                sigma0: join(self.sigma0, other.sigma0),
+                sigma1: join(self.sigma1, other.sigma1),
+                sigma2: join(self.sigma2, other.sigma2),
+                F_C: join(self.F_C, other.F_C),
+                per_v_s_squared: join(self.per_v_s_squared, other.per_v_s_squared),
+                F_S_minus_F_C: join(self.F_S_minus_F_C, other.F_S_minus_F_C),
+                per_sigma0: join(self.per_sigma0, other.per_sigma0),
+                per_m: join(self.per_m, other.per_m),
+                dddx_block_dx_block: join(
+                    self.dddx_block_dx_block,
+                    other.dddx_block_dx_block,
+                ),
+                constant1: join(self.constant1, other.constant1),
+                half_m: join(self.half_m, other.half_m),
+                half_k: join(self.half_k, other.half_k),
+                half_sigma0: join(self.half_sigma0, other.half_sigma0),
             }
         }
     }
@@ -515,6 +549,66 @@ pub mod lugre_mass {
         fn loop_name(&self, index: usize) -> &str {
             const NAMES: [&str; 0] = [];
             NAMES[index]
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -18,6 +18,7 @@ pub mod msdm {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -401,6 +402,84 @@ pub mod msdm {
                 constant5: turn(self.constant5),
             }
         }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                kp: join(self.kp, other.kp),
+                cp: join(self.cp, other.cp),
+                ke: join(self.ke, other.ke),
+                ce: join(self.ce, other.ce),
+                sigma0: join(self.sigma0, other.sigma0),
+                sigma1: join(self.sigma1, other.sigma1),
+                sigma2: join(self.sigma2, other.sigma2),
+                f: join(self.f, other.f),
+                rise: join(self.rise, other.rise),
+                constant1: join(self.constant1, other.constant1),
+                stroke_per_rise: join(self.stroke_per_rise, other.stroke_per_rise),
+                constant2: join(self.constant2, other.constant2),
+                stroke_f_per_rise: join(self.stroke_f_per_rise, other.stroke_f_per_rise),
+                per_mp: join(self.per_mp, other.per_mp),
+                F_C: join(self.F_C, other.F_C),
+                per_v_s_squared: join(self.per_v_s_squared, other.per_v_s_squared),
+                F_S_minus_F_C: join(self.F_S_minus_F_C, other.F_S_minus_F_C),
+                per_sigma0: join(self.per_sigma0, other.per_sigma0),
+                per_me: join(self.per_me, other.per_me),
+                per_ms: join(self.per_ms, other.per_ms),
+                dddx_stack_dx_stack: join(
+                    self.dddx_stack_dx_stack,
+                    other.dddx_stack_dx_stack,
+                ),
+                dddx_stack_ddx_stack: join(
+                    self.dddx_stack_ddx_stack,
+                    other.dddx_stack_ddx_stack,
+                ),
+                dddx_stack_dx_flexure: join(
+                    self.dddx_stack_dx_flexure,
+                    other.dddx_stack_dx_flexure,
+                ),
+                dF_mechanism_ddx_flexure: join(
+                    self.dF_mechanism_ddx_flexure,
+                    other.dF_mechanism_ddx_flexure,
+                ),
+                dddx_stack_ddx_flexure: join(
+                    self.dddx_stack_ddx_flexure,
+                    other.dddx_stack_ddx_flexure,
+                ),
+                dddx_flexure_dx_stack: join(
+                    self.dddx_flexure_dx_stack,
+                    other.dddx_flexure_dx_stack,
+                ),
+                dddx_flexure_ddx_stack: join(
+                    self.dddx_flexure_ddx_stack,
+                    other.dddx_flexure_ddx_stack,
+                ),
+                dddx_flexure_dx_flexure: join(
+                    self.dddx_flexure_dx_flexure,
+                    other.dddx_flexure_dx_flexure,
+                ),
+                constant3: join(self.constant3, other.constant3),
+                half_mp: join(self.half_mp, other.half_mp),
+                half_me: join(self.half_me, other.half_me),
+                half_ms: join(self.half_ms, other.half_ms),
+                half_kp: join(self.half_kp, other.half_kp),
+                half_ke: join(self.half_ke, other.half_ke),
+                half_sigma0: join(self.half_sigma0, other.half_sigma0),
+                per_f: join(self.per_f, other.per_f),
+                one_minus_rise: join(self.one_minus_rise, other.one_minus_rise),
+                constant4: join(self.constant4, other.constant4),
+                constant5: join(self.constant5, other.constant5),
+            }
+        }
     }
     impl Prepared<f64> {
         /// The same without tables: functions of one coordinate in closed form everywhere.
@@ -773,6 +852,66 @@ pub mod msdm {
         fn loop_name(&self, index: usize) -> &str {
             const NAMES: [&str; 0] = [];
             NAMES[index]
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

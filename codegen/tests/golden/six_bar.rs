@@ -16,6 +16,7 @@ pub mod six_bar {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -727,6 +728,105 @@ pub mod six_bar {
                 constant5: turn(self.constant5),
                 constant6: turn(self.constant6),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                l1: join(self.l1, other.l1),
+                l2: join(self.l2, other.l2),
+                l3: join(self.l3, other.l3),
+                cx: join(self.cx, other.cx),
+                cy: join(self.cy, other.cy),
+                l5: join(self.l5, other.l5),
+                l6: join(self.l6, other.l6),
+                x2: join(self.x2, other.x2),
+                y2: join(self.y2, other.y2),
+                x3: join(self.x3, other.x3),
+                y3: join(self.y3, other.y3),
+                m2: join(self.m2, other.m2),
+                m3: join(self.m3, other.m3),
+                m5: join(self.m5, other.m5),
+                m6: join(self.m6, other.m6),
+                k: join(self.k, other.k),
+                c: join(self.c, other.c),
+                torque: join(self.torque, other.torque),
+                C0: join(self.C0, other.C0),
+                constant1: join(self.constant1, other.constant1),
+                l2_minus_l3_squared: join(
+                    self.l2_minus_l3_squared,
+                    other.l2_minus_l3_squared,
+                ),
+                l2_plus_l3_squared: join(
+                    self.l2_plus_l3_squared,
+                    other.l2_plus_l3_squared,
+                ),
+                half_ε1: join(self.half_ε1, other.half_ε1),
+                per_l2: join(self.per_l2, other.per_l2),
+                per_l3: join(self.per_l3, other.per_l3),
+                l1_per_l2: join(self.l1_per_l2, other.l1_per_l2),
+                C1: join(self.C1, other.C1),
+                l1_per_l3: join(self.l1_per_l3, other.l1_per_l3),
+                r3: join(self.r3, other.r3),
+                C2: join(self.C2, other.C2),
+                constant2: join(self.constant2, other.constant2),
+                l5_minus_l6_squared: join(
+                    self.l5_minus_l6_squared,
+                    other.l5_minus_l6_squared,
+                ),
+                l5_plus_l6_squared: join(
+                    self.l5_plus_l6_squared,
+                    other.l5_plus_l6_squared,
+                ),
+                s2_0: join(self.s2_0, other.s2_0),
+                c2_0: join(self.c2_0, other.c2_0),
+                half_ε2: join(self.half_ε2, other.half_ε2),
+                per_l5: join(self.per_l5, other.per_l5),
+                per_l6: join(self.per_l6, other.per_l6),
+                C3: join(self.C3, other.C3),
+                r6: join(self.r6, other.r6),
+                C4: join(self.C4, other.C4),
+                C5: join(self.C5, other.C5),
+                C6: join(self.C6, other.C6),
+                l5_minus_r5: join(self.l5_minus_r5, other.l5_minus_r5),
+                C7: join(self.C7, other.C7),
+                c3_0: join(self.c3_0, other.c3_0),
+                s3_0: join(self.s3_0, other.s3_0),
+                c5_0: join(self.c5_0, other.c5_0),
+                s5_0: join(self.s5_0, other.s5_0),
+                c6_0: join(self.c6_0, other.c6_0),
+                s6_0: join(self.s6_0, other.s6_0),
+                half_l2: join(self.half_l2, other.half_l2),
+                constant3: join(self.constant3, other.constant3),
+                m1_r1: join(self.m1_r1, other.m1_r1),
+                m3_r3: join(self.m3_r3, other.m3_r3),
+                m6_r6: join(self.m6_r6, other.m6_r6),
+                constant4: join(self.constant4, other.constant4),
+                two_C1: join(self.two_C1, other.two_C1),
+                two_C2: join(self.two_C2, other.two_C2),
+                two_C3: join(self.two_C3, other.two_C3),
+                two_C4: join(self.two_C4, other.two_C4),
+                two_c: join(self.two_c, other.two_c),
+                two_cx: join(self.two_cx, other.two_cx),
+                two_cy: join(self.two_cy, other.two_cy),
+                two_C5: join(self.two_C5, other.two_C5),
+                two_C6: join(self.two_C6, other.two_C6),
+                two_C7: join(self.two_C7, other.two_C7),
+                φ6_0: join(self.φ6_0, other.φ6_0),
+                half_k: join(self.half_k, other.half_k),
+                constant5: join(self.constant5, other.constant5),
+                constant6: join(self.constant6, other.constant6),
+                table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
@@ -1666,6 +1766,66 @@ pub mod six_bar {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

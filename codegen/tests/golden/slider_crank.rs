@@ -15,6 +15,7 @@ pub mod slider_crank {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -337,6 +338,53 @@ pub mod slider_crank {
                 half_kr: turn(self.half_kr),
                 per_l_squared: turn(self.per_l_squared),
                 table_of_φ: self.table_of_φ.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                r: join(self.r, other.r),
+                l: join(self.l, other.l),
+                offset: join(self.offset, other.offset),
+                mr: join(self.mr, other.mr),
+                ms: join(self.ms, other.ms),
+                k: join(self.k, other.k),
+                c: join(self.c, other.c),
+                kr: join(self.kr, other.kr),
+                torque: join(self.torque, other.torque),
+                C0: join(self.C0, other.C0),
+                l_squared: join(self.l_squared, other.l_squared),
+                ε: join(self.ε, other.ε),
+                per_l: join(self.per_l, other.per_l),
+                r_per_l: join(self.r_per_l, other.r_per_l),
+                r_rod: join(self.r_rod, other.r_rod),
+                C1: join(self.C1, other.C1),
+                C2: join(self.C2, other.C2),
+                x_piston_0: join(self.x_piston_0, other.x_piston_0),
+                c_ψ_0: join(self.c_ψ_0, other.c_ψ_0),
+                s_ψ_0: join(self.s_ψ_0, other.s_ψ_0),
+                mc_r_crank: join(self.mc_r_crank, other.mc_r_crank),
+                constant1: join(self.constant1, other.constant1),
+                two_C1: join(self.two_C1, other.two_C1),
+                two_ms: join(self.two_ms, other.two_ms),
+                two_c: join(self.two_c, other.two_c),
+                two_l: join(self.two_l, other.two_l),
+                two_C2: join(self.two_C2, other.two_C2),
+                offset_ms: join(self.offset_ms, other.offset_ms),
+                half_k: join(self.half_k, other.half_k),
+                half_kr: join(self.half_kr, other.half_kr),
+                per_l_squared: join(self.per_l_squared, other.per_l_squared),
+                table_of_φ: self.table_of_φ.zip(&other.table_of_φ, &join),
             }
         }
     }
@@ -788,6 +836,66 @@ pub mod slider_crank {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -15,6 +15,7 @@ pub mod slider_crank_by_hand {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -204,6 +205,41 @@ pub mod slider_crank_by_hand {
                 half_E: turn(self.half_E),
                 per_e: turn(self.per_e),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                r: join(self.r, other.r),
+                l: join(self.l, other.l),
+                type_: join(self.type_, other.type_),
+                E: join(self.E, other.E),
+                e: join(self.e, other.e),
+                θ: join(self.θ, other.θ),
+                r_squared_per_l_squared: join(
+                    self.r_squared_per_l_squared,
+                    other.r_squared_per_l_squared,
+                ),
+                r_per_l: join(self.r_per_l, other.r_per_l),
+                cos_β: join(self.cos_β, other.cos_β),
+                sin_β: join(self.sin_β, other.sin_β),
+                r_type: join(self.r_type, other.r_type),
+                per_J: join(self.per_J, other.per_J),
+                constant1: join(self.constant1, other.constant1),
+                half_J: join(self.half_J, other.half_J),
+                half_E: join(self.half_E, other.half_E),
+                per_e: join(self.per_e, other.per_e),
+                table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
@@ -587,6 +623,66 @@ pub mod slider_crank_by_hand {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

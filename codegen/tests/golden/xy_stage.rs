@@ -18,6 +18,7 @@ pub mod xy_stage {
     use ::flexure_runtime::diagnostic::{Diagnostic, Site};
     use ::flexure_runtime::failure::{Failure, Unit};
     use ::flexure_runtime::generated::{array, array_mut};
+    use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
@@ -327,6 +328,44 @@ pub mod xy_stage {
                 two_k: turn(self.two_k),
                 table_of_φ1: self.table_of_φ1.map(&turn),
                 table_of_φ2: self.table_of_φ2.map(&turn),
+            }
+        }
+        /// Every number joined with the one that stands in its place in `other`.
+        pub fn zip<U: Copy, V>(
+            &self,
+            other: &Prepared<U>,
+            join: impl Fn(T, U) -> V,
+        ) -> Prepared<V> {
+            Prepared {
+                start_states: std::array::from_fn(|i| {
+                    join(self.start_states[i], other.start_states[i])
+                }),
+                start_discretes: std::array::from_fn(|i| {
+                    join(self.start_discretes[i], other.start_discretes[i])
+                }),
+                ks: join(self.ks, other.ks),
+                cs: join(self.cs, other.cs),
+                stroke: join(self.stroke, other.stroke),
+                l: join(self.l, other.l),
+                C0: join(self.C0, other.C0),
+                C1: join(self.C1, other.C1),
+                half_C2: join(self.half_C2, other.half_C2),
+                C0_C1: join(self.C0_C1, other.C0_C1),
+                k: join(self.k, other.k),
+                ddP_s_dφ1_dφ1: join(self.ddP_s_dφ1_dφ1, other.ddP_s_dφ1_dφ1),
+                constant1: join(self.constant1, other.constant1),
+                constant2: join(self.constant2, other.constant2),
+                _4_c: join(self._4_c, other._4_c),
+                constant3: join(self.constant3, other.constant3),
+                constant4: join(self.constant4, other.constant4),
+                l_cs: join(self.l_cs, other.l_cs),
+                l_dF_y_stack_dφ1: join(self.l_dF_y_stack_dφ1, other.l_dF_y_stack_dφ1),
+                half_C0: join(self.half_C0, other.half_C0),
+                half_C1: join(self.half_C1, other.half_C1),
+                half_ks: join(self.half_ks, other.half_ks),
+                two_k: join(self.two_k, other.two_k),
+                table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
+                table_of_φ2: self.table_of_φ2.zip(&other.table_of_φ2, &join),
             }
         }
     }
@@ -802,6 +841,66 @@ pub mod xy_stage {
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0]) || self.table_of_φ2.is_left_by(x[2])
+        }
+    }
+    impl LaneSystem for Prepared<f64> {
+        type InLanes<L: Lanes> = Prepared<L>;
+        fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+            self.map(L::from_f64)
+        }
+        fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+            *lanes = lanes
+                .zip(
+                    self,
+                    |mut number: L, value: f64| {
+                        number.set_entry(lane, value);
+                        number
+                    },
+                );
+        }
+        #[inline(always)]
+        fn accept_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            u: &[L],
+            d: &mut [L],
+        ) {
+            let before = *array(d);
+            accept(t, array(x), &before, array(u), lanes, array_mut(d));
+        }
+        #[inline(always)]
+        fn rhs_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            rhs(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn events_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            events(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn closures_in_lanes<L: Lanes>(
+            lanes: &Prepared<L>,
+            t: L,
+            x: &[L],
+            d: &[L],
+            u: &[L],
+            result: &mut [L],
+        ) {
+            closures(t, array(x), array(d), array(u), lanes, array_mut(result));
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -43,9 +43,11 @@ mod dispatch;
 pub(crate) mod kernels;
 mod portable;
 mod scalar;
+mod system;
 
 pub use dispatch::{PATH_VARIABLE, Path, on_path, on_path_alone, on_widest};
 pub use portable::Portable;
+pub use system::LaneSystem;
 
 use crate::real::Real;
 

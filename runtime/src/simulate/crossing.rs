@@ -11,6 +11,7 @@
 
 use super::accounting::Flow;
 use super::method::{Method, Step, cubic};
+use crate::real::Real;
 use crate::system::System;
 
 /// A look right behind an event: it may soon happen again.
@@ -66,6 +67,14 @@ impl Crossings {
 
     pub fn is_empty(&self) -> bool {
         self.armed.is_empty()
+    }
+
+    /// Whether every event is armed and none has just happened, so that one happens only where its
+    /// function rises above zero.
+    pub fn are_quiet(&self) -> bool {
+        !self.after_event
+            && self.armed.iter().all(|armed| *armed)
+            && self.start.iter().all(|v| *v < 0.0)
     }
 
     /// Takes the values at the start of a run, or after an accepted step.
@@ -211,16 +220,10 @@ impl Crossings {
     ) -> Option<(f64, f64)> {
         let (a, ga) = (self.earlier.0, self.earlier.1[index]);
         let (b, gb) = (self.last.0, self.last.1[index]);
-        let (c, gc) = (look, self.here[index]);
-        let first = (gb - ga) / (b - a);
-        let bend = ((gc - gb) / (c - b) - first) / (c - a);
-        let at = 0.5 * (a + b) - 0.5 * first / bend;
-        if !(bend < 0.0 && at > a && at < c) {
-            return None;
-        }
-        let peak = ga + (at - a) * (first + bend * (at - b));
-        let depth = peak - ga.min(gb).min(gc);
-        if peak < -0.25 * depth {
+        let c = look;
+        let parabola = Parabola::through([(a, ga), (b, gb), (c, self.here[index])]);
+        let at = parabola.at;
+        if !(parabola.bend < 0.0 && at > a && at < c) || parabola.gap() > 0.0 {
             return None;
         }
         cubic(step, at, &mut self.x);
@@ -307,6 +310,37 @@ impl Crossings {
             }
         }
         Some(high)
+    }
+}
+
+/// The parabola through three looks at an event function, by fractions of the step.
+pub(super) struct Parabola<T> {
+    /// Negative if its vertex is its highest point.
+    pub bend: T,
+    /// Where its vertex is.
+    pub at: T,
+    peak: T,
+    lowest: T,
+}
+
+impl<T: Real> Parabola<T> {
+    #[inline(always)]
+    pub fn through([(a, ga), (b, gb), (c, gc)]: [(f64, T); 3]) -> Self {
+        let first = (gb - ga) / (b - a);
+        let bend = ((gc - gb) / (c - b) - first) / (c - a);
+        let at = -(first * 0.5 / bend) + 0.5 * (a + b);
+        Self {
+            bend,
+            at,
+            peak: ga + (at - a) * (first + bend * (at - b)),
+            lowest: ga.smaller(gb).smaller(gc),
+        }
+    }
+
+    /// How far below zero its peak stays, less what the function may differ from it there.
+    #[inline(always)]
+    pub fn gap(&self) -> T {
+        (self.peak - self.lowest) * -0.25 - self.peak
     }
 }
 

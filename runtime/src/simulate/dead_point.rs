@@ -16,7 +16,7 @@ const REACHED: f64 = 1e-4;
 
 /// So near to a dead point that steps which are a small part of the way left are so by the rounding
 /// of loops that close by Newton's method, not by the motion.
-const NEAR: f64 = 1e-2;
+pub(super) const NEAR: f64 = 1e-2;
 
 /// Such a part.
 const SMALL_PART: f64 = 1e-4;
@@ -58,13 +58,33 @@ impl Approach {
         }
         system.closures(t, x, d, u, &mut self.closures);
         self.passed = t - self.time;
-        for (index, closure) in self.closures.iter().enumerate() {
-            let sine = closure.max(0.0).sqrt();
-            let rate = (sine - self.sines[index]) / self.passed;
-            self.rates[index] = if rate.is_finite() { rate } else { 0.0 };
-            self.sines[index] = sine;
+        for index in 0..self.closures.len() {
+            let sine = self.closures[index].max(0.0).sqrt();
+            self.set(index, self.sines[index], sine);
         }
         self.time = t;
+    }
+
+    /// Sines of the transmission angles where the run stands.
+    pub fn sines(&self) -> &[f64] {
+        &self.sines
+    }
+
+    /// The run stands at `t`, after a last step of length `passed`; `sines` gives for each loop the
+    /// sine before that step and after it.
+    pub fn follow(&mut self, t: f64, passed: f64, sines: impl Fn(usize) -> (f64, f64)) {
+        self.time = t;
+        self.passed = passed;
+        for index in 0..self.sines.len() {
+            let (before, after) = sines(index);
+            self.set(index, before, after);
+        }
+    }
+
+    fn set(&mut self, index: usize, before: f64, after: f64) {
+        let rate = (after - before) / self.passed;
+        self.rates[index] = if rate.is_finite() { rate } else { 0.0 };
+        self.sines[index] = after;
     }
 
     /// Half of the time after which the first loop would come to its dead point.

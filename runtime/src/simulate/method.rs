@@ -1,6 +1,7 @@
 //! What the walk asks of a method of integration.
 
 use super::accounting::Flow;
+use crate::real::Real;
 use crate::system::System;
 
 /// A step that was taken: both of its ends.
@@ -53,14 +54,17 @@ pub(super) trait Method {
 
 /// The cubic through both ends of a step: of order 3, from what is known anyway.
 pub(super) fn cubic(step: &Step<'_>, fraction: f64, x: &mut [f64]) {
-    let s = fraction;
-    let to_end = s * s * (3.0 - 2.0 * s);
-    let rate_start = step.h * s * (1.0 - s) * (1.0 - s);
-    let rate_end = -step.h * s * s * (1.0 - s);
     for (i, x) in x.iter_mut().enumerate() {
-        *x = step.x[i]
-            + to_end * (step.x_end[i] - step.x[i])
-            + rate_start * step.f[i]
-            + rate_end * step.f_end[i];
+        let states = [step.x[i], step.x_end[i]];
+        *x = cubic_at(fraction, step.h, states, [step.f[i], step.f_end[i]]);
     }
+}
+
+/// The same of one quantity, by its values and rates at both ends.
+#[inline(always)]
+pub(super) fn cubic_at<T: Real>(s: f64, h: T, [from, to]: [T; 2], rates: [T; 2]) -> T {
+    let to_end = s * s * (3.0 - 2.0 * s);
+    let rate_start = h * s * (1.0 - s) * (1.0 - s);
+    let rate_end = -h * s * s * (1.0 - s);
+    from + (to - from) * to_end + rate_start * rates[0] + rate_end * rates[1]
 }

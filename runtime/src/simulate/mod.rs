@@ -27,6 +27,7 @@ mod coefficients;
 mod crossing;
 mod dead_point;
 mod dormand_prince;
+mod ensemble;
 mod method;
 mod pace;
 mod recorder;
@@ -34,21 +35,24 @@ mod rows;
 mod run;
 mod runge_kutta;
 mod settings;
+mod stops;
 mod tolerance;
 mod walk;
 
 pub use breakdown::{Breakdown, BreakdownKind, RunFailure};
+pub use ensemble::{Ensemble, Trajectory, TrajectoryFailure, ensemble};
 pub use recorder::{Heading, Recorder};
 pub use run::{Column, Ending, EventRecord, Run, Statistics, Summary};
+pub use stops::Sample;
 
 use crate::system::System;
 use accounting::Flow;
 use dormand_prince::DormandPrince;
 use pace::Pace;
+use rows::Recording;
 use run::Table;
 use runge_kutta::RungeKutta;
 use settings::{Accuracy, Settings};
-use tolerance::StepControl;
 use walk::Walk;
 
 /// Starts to describe a run of `system` from its start state at t = 0; [`Simulation::run`] does it.
@@ -185,6 +189,10 @@ impl<S: System + ?Sized> Simulation<'_, S> {
             Err(breakdown) => return (Summary::default(), Some(breakdown)),
         };
         let flow = Flow::new(self.system, inputs, settings.energy);
+        let recording = Recording {
+            recorder: Some(recorder),
+            every: settings.every,
+        };
         match settings.accuracy {
             Accuracy::Step(dt) => {
                 let method = RungeKutta::new(flow.width());
@@ -193,19 +201,13 @@ impl<S: System + ?Sized> Simulation<'_, S> {
                     method,
                     Pace::fixed(dt),
                     settings.until,
-                    settings.every,
-                    recorder,
+                    recording,
+                    settings.most_steps,
                 )
-                .run(settings.most_steps)
+                .run()
             }
             Accuracy::Relative(rtol) => {
-                let control = match StepControl::new(
-                    self.system.states(),
-                    rtol,
-                    &settings.absolute,
-                    settings.longest_step,
-                    settings.until,
-                ) {
+                let control = match settings.control(rtol, self.system.states()) {
                     Ok(control) => control,
                     Err(breakdown) => return (Summary::default(), Some(breakdown)),
                 };
@@ -215,10 +217,10 @@ impl<S: System + ?Sized> Simulation<'_, S> {
                     method,
                     Pace::Adaptive(control),
                     settings.until,
-                    settings.every,
-                    recorder,
+                    recording,
+                    settings.most_steps,
                 )
-                .run(settings.most_steps)
+                .run()
             }
         }
     }

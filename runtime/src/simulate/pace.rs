@@ -17,12 +17,14 @@ pub(super) struct Equal {
 }
 
 /// The way to the next break.
-struct Stretch {
-    from: f64,
-    to: f64,
-    h: f64,
-    steps: f64,
-    taken: f64,
+pub(super) struct Stretch {
+    pub from: f64,
+    pub to: f64,
+    pub h: f64,
+    /// Number of steps.
+    pub steps: f64,
+    /// How many of them were tried.
+    pub taken: f64,
 }
 
 /// A step to be tried.
@@ -32,6 +34,11 @@ pub(super) struct Trial {
     pub h: f64,
     /// The time at its end, exactly.
     pub end: f64,
+}
+
+impl Trial {
+    /// A step that would come this near to a break goes there, by its share of the way.
+    pub const NEARLY: f64 = 0.999_999;
 }
 
 impl Pace {
@@ -63,7 +70,7 @@ impl Pace {
             Pace::Fixed(equal) => equal.next(t, to),
             Pace::Adaptive(control) => {
                 let left = to - t;
-                if control.wanted >= 0.999_999 * left {
+                if control.wanted >= Trial::NEARLY * left {
                     return Trial { h: left, end: to };
                 }
                 // Two equal steps to the break rather than a long and a short one.
@@ -74,6 +81,13 @@ impl Pace {
                 });
                 Trial { h, end: t + h }
             }
+        }
+    }
+
+    /// A break was reached behind which the motion goes on as before.
+    pub fn stop_over(&mut self) {
+        if let Pace::Fixed(equal) = self {
+            equal.stretch = None;
         }
     }
 
@@ -88,8 +102,9 @@ impl Pace {
 }
 
 impl Equal {
-    fn next(&mut self, t: f64, to: f64) -> Trial {
-        let stretch = self.stretch.get_or_insert_with(|| {
+    /// The way from `t` to the break `to`, or what is left of it.
+    pub fn stretch(&mut self, t: f64, to: f64) -> &mut Stretch {
+        self.stretch.get_or_insert_with(|| {
             // What exceeds a whole number by rounding takes no step of its own.
             let steps = ((to - t) / self.longest * (1.0 - 1e-9)).ceil().max(1.0);
             Stretch {
@@ -99,7 +114,11 @@ impl Equal {
                 steps,
                 taken: 0.0,
             }
-        });
+        })
+    }
+
+    fn next(&mut self, t: f64, to: f64) -> Trial {
+        let stretch = self.stretch(t, to);
         stretch.taken += 1.0;
         let end = if stretch.taken < stretch.steps {
             stretch.from + stretch.taken * stretch.h

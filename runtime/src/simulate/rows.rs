@@ -22,9 +22,17 @@ const ENERGIES: [(&str, &str); 5] = [
     ),
 ];
 
+/// Who gets rows, and how often.
+pub(super) struct Recording<'a> {
+    /// Nobody, or a recorder.
+    pub recorder: Option<&'a mut dyn Recorder>,
+    /// Interval in s; without it a row at the end of every step.
+    pub every: Option<f64>,
+}
+
 /// Writes rows.
 pub(super) struct Rows<'a> {
-    pub recorder: &'a mut dyn Recorder,
+    recorder: Option<&'a mut dyn Recorder>,
     samples: Option<Samples>,
     /// Energy columns that are recorded.
     energies: Vec<usize>,
@@ -55,16 +63,10 @@ impl Samples {
 }
 
 impl<'a> Rows<'a> {
-    pub fn new(
-        recorder: &'a mut dyn Recorder,
-        width: usize,
-        every: Option<f64>,
-        until: f64,
-        stored_at_start: f64,
-    ) -> Self {
+    pub fn new(recording: Recording<'a>, width: usize, until: f64, stored_at_start: f64) -> Self {
         Self {
-            recorder,
-            samples: every.map(|interval| Samples {
+            recorder: recording.recorder,
+            samples: recording.every.map(|interval| Samples {
                 interval,
                 next: 0.0,
                 until,
@@ -80,6 +82,9 @@ impl<'a> Rows<'a> {
 
     /// Announces the columns.
     pub fn begin<S: System + ?Sized>(&mut self, flow: &Flow<'_, S>) {
+        let Some(recorder) = &mut self.recorder else {
+            return;
+        };
         let system = flow.system;
         let mut headings = vec![Heading {
             name: Cow::Borrowed("t"),
@@ -106,7 +111,15 @@ impl<'a> Rows<'a> {
             }
         }
         self.row = vec![0.0; headings.len()];
-        self.recorder.begin(&headings);
+        recorder.begin(&headings);
+    }
+
+    /// Says how far the run is.
+    pub fn progress(&mut self, t: f64) -> ControlFlow<()> {
+        match &mut self.recorder {
+            Some(recorder) => recorder.progress(t),
+            None => ControlFlow::Continue(()),
+        }
     }
 
     /// The row at the start.
@@ -191,6 +204,9 @@ impl<'a> Rows<'a> {
         x: &[f64],
         d: &[f64],
     ) -> ControlFlow<()> {
+        let Some(recorder) = &mut self.recorder else {
+            return ControlFlow::Continue(());
+        };
         let own = flow.own(x);
         let (time, rest) = self.row.split_at_mut(1);
         let (states, rest) = rest.split_at_mut(own.len());
@@ -214,6 +230,6 @@ impl<'a> Rows<'a> {
             }
         }
         self.last_time = t;
-        self.recorder.row(&self.row)
+        recorder.row(&self.row)
     }
 }

@@ -1,6 +1,7 @@
 //! What a run is asked to do, and whether that makes sense.
 
 use super::breakdown::Breakdown;
+use super::tolerance::StepControl;
 use crate::system::Variable;
 
 /// More rows than this are a slip of the pen: they would fill memory and disk.
@@ -43,6 +44,12 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The step control for a relative tolerance, or what makes no sense about it.
+    pub fn control(&self, rtol: f64, states: &[Variable]) -> Result<StepControl, Breakdown> {
+        let (absolute, longest) = (&self.absolute, self.longest_step);
+        StepControl::new(states, rtol, absolute, longest, self.until)
+    }
+
     /// Values of the inputs, or what makes no sense about these settings.
     pub fn inputs(&self, variables: &[Variable]) -> Result<Vec<f64>, Breakdown> {
         let positive = |value: f64| value > 0.0 && value.is_finite();

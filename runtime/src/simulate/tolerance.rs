@@ -1,6 +1,7 @@
 //! How large an error a step may have, and how long the next step should be.
 
 use super::breakdown::Breakdown;
+use crate::real::Real;
 use crate::system::Variable;
 
 /// Steps grow by this factor at most.
@@ -16,27 +17,28 @@ const EXPONENT: f64 = 1.0 / 8.0;
 
 /// Proportional–integral step control with scales that follow the motion.
 pub(super) struct StepControl {
-    relative: f64,
-    longest: f64,
+    pub relative: f64,
+    pub longest: f64,
     /// Length wanted for the next step.
     pub wanted: f64,
     /// Error of the last accepted step.
-    last_error: f64,
+    pub last_error: f64,
     /// Whether the last step was rejected.
-    was_rejected: bool,
-    states: Vec<Tolerated>,
+    pub was_rejected: bool,
+    pub states: Vec<Tolerated>,
     /// Allowed errors for the step being judged.
     allowed: Vec<f64>,
 }
 
 /// What the tolerance of one state rests on.
-struct Tolerated {
+#[derive(Clone)]
+pub(super) struct Tolerated {
     /// Tolerance given by the user.
     absolute: Option<f64>,
     /// Value at the start of the run.
-    start: f64,
+    pub start: f64,
     /// Largest excursion from it so far.
-    excursion: f64,
+    pub excursion: f64,
     /// The excursion counts up to this.
     most: f64,
     /// The excursion counts as this at least.
@@ -97,14 +99,8 @@ impl StepControl {
     /// The error that each state may have in a step to `x_end`.
     pub fn allowed(&mut self, x: &[f64], x_end: &[f64]) -> &[f64] {
         for (i, (allowed, state)) in self.allowed.iter_mut().zip(&self.states).enumerate() {
-            let size = x[i].abs().max(x_end[i].abs());
-            *allowed = match state.absolute {
-                Some(absolute) => absolute + self.relative * size,
-                None => {
-                    let excursion = state.excursion.max((x_end[i] - state.start).abs());
-                    self.relative * excursion.min(state.most).max(1e-6 * size).max(state.least)
-                }
-            };
+            let excursion = state.excursion_at(state.start, state.excursion, x_end[i]);
+            *allowed = state.allowed(self.relative, excursion, x[i], x_end[i]);
         }
         &self.allowed
     }
@@ -112,33 +108,17 @@ impl StepControl {
     /// The next step's length after one of length `h` whose error was acceptable.
     pub fn accepted(&mut self, h: f64, error: f64, x_end: &[f64]) {
         for (state, &x) in self.states.iter_mut().zip(x_end) {
-            state.excursion = state.excursion.max((x - state.start).abs());
+            state.excursion = state.excursion_at(state.start, state.excursion, x);
         }
-        let proportional = error.powf(-(EXPONENT - 0.2 * MEMORY));
-        let growth = SAFETY * proportional * self.last_error.powf(MEMORY);
-        let growth = growth.clamp(
-            LARGEST_CUT,
-            if self.was_rejected {
-                1.0
-            } else {
-                LARGEST_GROWTH
-            },
-        );
-        // A step cut short by a break says little about what is possible behind it.
-        let grown = h * growth;
-        self.wanted = if h < 0.99 * self.wanted {
-            grown.max(self.wanted)
-        } else {
-            grown
-        }
-        .min(self.longest);
-        self.last_error = error.max(1e-4);
+        let most = growth_limit(if self.was_rejected { 1.0 } else { -1.0 });
+        self.wanted = length_after(h, error, self.last_error, most, self.wanted, self.longest);
+        self.last_error = remembered(error);
         self.was_rejected = false;
     }
 
     /// After a step of length `h` whose error was too large.
     pub fn too_inaccurate(&mut self, h: f64, error: f64) {
-        self.cut(h, (SAFETY * error.powf(-EXPONENT)).clamp(LARGEST_CUT, 0.9));
+        self.cut(h, share_of_rejected(error));
     }
 
     /// After a step of length `h` that cannot be taken at all.
@@ -154,7 +134,66 @@ impl StepControl {
     }
 }
 
+/// The largest factor by which a step may grow, after a rejected one if that is positive.
+#[inline(always)]
+pub(super) fn growth_limit<T: Real>(was_rejected: T) -> T {
+    was_rejected.if_positive(T::from_f64(1.0), T::from_f64(LARGEST_GROWTH))
+}
+
+/// The length wanted after an accepted step of length `h`.
+#[inline(always)]
+pub(super) fn length_after<T: Real>(
+    h: T,
+    error: T,
+    last_error: T,
+    most: T,
+    wanted: T,
+    longest: T,
+) -> T {
+    let proportional = error.power(T::from_f64(-(EXPONENT - 0.2 * MEMORY)));
+    let growth = proportional * SAFETY * last_error.power(T::from_f64(MEMORY));
+    let grown = h * growth.larger(T::from_f64(LARGEST_CUT)).smaller(most);
+    // A step cut short by a break says little about what is possible behind it.
+    (wanted * 0.99 - h)
+        .if_positive(grown.larger(wanted), grown)
+        .smaller(longest)
+}
+
+/// The error of an accepted step as the next one's control sees it.
+#[inline(always)]
+pub(super) fn remembered<T: Real>(error: T) -> T {
+    error.larger(T::from_f64(1e-4))
+}
+
+/// The share of a step whose error was too large that is tried next.
+#[inline(always)]
+pub(super) fn share_of_rejected<T: Real>(error: T) -> T {
+    let share = error.power(T::from_f64(-EXPONENT)) * SAFETY;
+    share
+        .larger(T::from_f64(LARGEST_CUT))
+        .smaller(T::from_f64(0.9))
+}
+
 impl Tolerated {
+    /// The largest excursion from `start`, which was `excursion`, with one to `x`.
+    #[inline(always)]
+    pub fn excursion_at<T: Real>(&self, start: T, excursion: T, x: T) -> T {
+        excursion.larger((x - start).abs())
+    }
+
+    /// The error that a step from `x` to `x_end` may have, with that one's excursion.
+    #[inline(always)]
+    pub fn allowed<T: Real>(&self, relative: f64, excursion: T, x: T, x_end: T) -> T {
+        let size = x.abs().larger(x_end.abs());
+        match self.absolute {
+            Some(absolute) => size * relative + absolute,
+            None => {
+                let scale = excursion.smaller(T::from_f64(self.most));
+                scale.larger(size * 1e-6).larger(T::from_f64(self.least)) * relative
+            }
+        }
+    }
+
     fn new(state: &Variable) -> Self {
         let (most, least) = match state.unit.as_ref() {
             "rad" => (1.0, 1e-9),

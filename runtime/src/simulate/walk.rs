@@ -13,9 +13,10 @@ use super::crossing::{Crossings, Found};
 use super::dead_point::Approach;
 use super::method::{Method, Step};
 use super::pace::{Pace, Trial};
-use super::recorder::Recorder;
-use super::rows::Rows;
+use super::rows::{Recording, Rows};
 use super::run::{Ending, EventRecord, Summary};
+use super::stops::{Sample, Stops};
+use crate::real::Real;
 use crate::system::{EventAction, System};
 
 /// Steps between two reports of progress.
@@ -25,32 +26,36 @@ const MOST_RECORDS: usize = 100_000;
 /// Kinks of one drive, or jumps from event to event, at one instant.
 const MOST_AT_ONCE: usize = 1000;
 /// A body may turn by this in a step.
-const QUARTER_TURN: f64 = std::f64::consts::FRAC_PI_2;
+pub(super) const QUARTER_TURN: f64 = std::f64::consts::FRAC_PI_2;
 
 /// A run under way.
 pub(super) struct Walk<'a, S: System + ?Sized, M> {
-    flow: Flow<'a, S>,
+    pub flow: Flow<'a, S>,
     method: M,
-    pace: Pace,
-    until: f64,
+    pub pace: Pace,
+    pub until: f64,
     rows: Rows<'a>,
-    crossings: Crossings,
-    approach: Approach,
+    stops: Stops<'a>,
+    pub crossings: Crossings,
+    pub approach: Approach,
     /// Half of a step that a loop did not allow, where steps are equal ones.
     shortened: f64,
     /// Where it stands.
-    t: f64,
-    x: Vec<f64>,
-    d: Vec<f64>,
+    pub t: f64,
+    pub x: Vec<f64>,
+    pub d: Vec<f64>,
     /// Rates there.
-    f: Vec<f64>,
+    pub f: Vec<f64>,
     /// Where the step that is tried ends.
     x_end: Vec<f64>,
     d_end: Vec<f64>,
     f_end: Vec<f64>,
     /// The next kink of each drive.
     kinks: Vec<f64>,
-    summary: Summary,
+    /// Steps tried, and how many may be.
+    pub tried: u64,
+    pub most_steps: u64,
+    pub summary: Summary,
 }
 
 /// Why a step cannot be accepted.
@@ -61,7 +66,7 @@ enum Rejection {
 }
 
 /// Where a run ends before its time.
-enum Halt {
+pub(super) enum Halt {
     Ending(Ending),
     Breakdown(BreakdownKind),
 }
@@ -80,6 +85,12 @@ fn recorded(flow: ControlFlow<()>) -> Result<(), Halt> {
     }
 }
 
+/// No step is shorter, at `t` of a run until `until`.
+#[inline(always)]
+pub(super) fn shortest_step<T: Real>(t: T, until: T) -> T {
+    t.abs() * (8.0 * f64::EPSILON) + until * 1e-18
+}
+
 fn all_finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
@@ -90,8 +101,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         method: M,
         pace: Pace,
         until: f64,
-        every: Option<f64>,
-        recorder: &'a mut dyn Recorder,
+        rows: Recording<'a>,
+        most_steps: u64,
     ) -> Self {
         let width = flow.width();
         let system = flow.system;
@@ -102,7 +113,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             method,
             pace,
             until,
-            rows: Rows::new(recorder, width, every, until, flow.stored(0.0, &x, &d)),
+            rows: Rows::new(rows, width, until, flow.stored(0.0, &x, &d)),
+            stops: Stops::default(),
             crossings: Crossings::new(system.event_count(), width),
             approach: Approach::new(system.loop_count()),
             shortened: f64::INFINITY,
@@ -112,6 +124,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             d_end: d.clone(),
             f_end: vec![0.0; width],
             kinks: vec![f64::INFINITY; system.kink_count()],
+            tried: 0,
+            most_steps,
             summary: Summary::default(),
             x,
             d,
@@ -119,10 +133,23 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         }
     }
 
+    /// The same, with steps that end exactly at each of these times, where samples are taken.
+    pub fn stopping(mut self, times: &'a [f64]) -> Self {
+        self.stops = Stops::at(times);
+        self
+    }
+
     /// Goes to the end, and says how it went and what stopped it, if anything did.
-    pub fn run(mut self, most_steps: u64) -> (Summary, Option<Breakdown>) {
+    pub fn run(mut self) -> (Summary, Option<Breakdown>) {
         self.rows.begin(&self.flow);
-        let halt = match self.go(most_steps) {
+        let went = self.go();
+        let (summary, breakdown, _) = self.leave(went);
+        (summary, breakdown)
+    }
+
+    /// How it went, what stopped it, if anything did, and the samples taken.
+    pub fn leave(mut self, went: Result<(), Halt>) -> (Summary, Option<Breakdown>, Vec<Sample>) {
+        let halt = match went {
             Ok(()) => Halt::Ending(Ending::Complete),
             Err(halt) => halt,
         };
@@ -142,10 +169,19 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         self.summary.statistics.evaluations = self.flow.evaluations;
         self.summary.state = self.flow.own(&self.x).to_vec();
         self.summary.discrete = self.d;
-        (self.summary, breakdown)
+        (self.summary, breakdown, self.stops.samples)
     }
 
-    fn go(&mut self, most_steps: u64) -> Result<(), Halt> {
+    fn go(&mut self) -> Result<(), Halt> {
+        self.begin()?;
+        while !self.is_over() {
+            self.round()?;
+        }
+        recorded(self.rows.end(&self.flow, self.t, &self.x, &self.d))
+    }
+
+    /// Stands at the start, behind the kinks that are there.
+    pub fn begin(&mut self) -> Result<(), Halt> {
         if !all_finite(&self.x) {
             return Err(BreakdownKind::NotFinite.into());
         }
@@ -158,29 +194,46 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             control.start(self.flow.own(&self.x), first_break);
         }
         recorded(self.rows.start(&self.flow, self.t, &self.x, &self.d))?;
-        self.watch_loops()?;
-        let mut tried: u64 = 0;
-        while self.t < self.until {
-            if tried >= most_steps {
-                return Err(BreakdownKind::TooManySteps.into());
-            }
-            tried += 1;
-            if tried.is_multiple_of(PROGRESS_INTERVAL) {
-                recorded(self.rows.recorder.progress(self.t))?;
-            }
-            let longest = self.approach.longest_step().min(self.shortened);
-            let trial = self.pace.next(self.t, self.next_break(), longest);
-            match self.attempt(trial) {
-                Ok(error) => self.accept(trial, error)?,
-                Err(rejection) => self.reject(trial, &rejection)?,
-            }
-        }
-        recorded(self.rows.end(&self.flow, self.t, &self.x, &self.d))
+        self.stops.pass(&self.flow, self.t, &self.x, &self.d);
+        self.watch_loops()
     }
 
-    /// The time of the next kink or of the end.
-    fn next_break(&self) -> f64 {
-        self.kinks.iter().copied().fold(self.until, f64::min)
+    /// Whether it has come to its end.
+    pub fn is_over(&self) -> bool {
+        !(self.t < self.until)
+    }
+
+    /// Tries one step.
+    pub fn round(&mut self) -> Result<(), Halt> {
+        if self.tried >= self.most_steps {
+            return Err(BreakdownKind::TooManySteps.into());
+        }
+        self.tried += 1;
+        if self.tried.is_multiple_of(PROGRESS_INTERVAL) {
+            recorded(self.rows.progress(self.t))?;
+        }
+        let longest = self.approach.longest_step().min(self.shortened);
+        let trial = self.pace.next(self.t, self.next_break(), longest);
+        match self.attempt(trial) {
+            Ok(error) => self.accept(trial, error),
+            Err(rejection) => self.reject(trial, &rejection),
+        }
+    }
+
+    /// The time of the next kink, of the next sample or of the end.
+    pub fn next_break(&self) -> f64 {
+        let end = self.until.min(self.stops.next());
+        self.kinks.iter().copied().fold(end, f64::min)
+    }
+
+    /// Takes the values of the event functions where it has been put.
+    pub fn stand(&mut self) {
+        self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
+    }
+
+    /// Whether nothing that is under way asks for more than plain steps.
+    pub fn is_quiet(&self) -> bool {
+        self.shortened == f64::INFINITY && self.crossings.are_quiet()
     }
 
     /// Takes a step to `x_end`, `d_end`, `f_end`; its error in units of what is allowed.
@@ -243,7 +296,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
 
     fn reject(&mut self, trial: Trial, rejection: &Rejection) -> Result<(), Halt> {
         self.summary.statistics.rejected += 1;
-        let shortest = 8.0 * f64::EPSILON * self.t.abs() + 1e-18 * self.until;
+        let shortest = shortest_step(self.t, self.until);
         let control = match &mut self.pace {
             Pace::Adaptive(control) => control,
             Pace::Fixed(_) => {
@@ -348,13 +401,23 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
         self.shortened = f64::INFINITY;
         self.watch_loops()?;
-        let may_have_moved_kinks = found.is_some();
+        let happened = found.is_some();
         if let Some(found) = found {
             self.happen(found.all)?;
             self.pace.restart(0.25 * trial.h);
             recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
         }
-        if self.t < self.until && (may_have_moved_kinks || self.t >= self.next_break()) {
+        self.arrive(happened)
+    }
+
+    /// Takes a sample and passes kinks, if there are any where the walk stands; events that
+    /// happened may have moved kinks.
+    pub fn arrive(&mut self, happened: bool) -> Result<(), Halt> {
+        let sampled = self.stops.pass(&self.flow, self.t, &self.x, &self.d);
+        if sampled {
+            self.pace.stop_over();
+        }
+        if !self.is_over() && (happened || sampled || self.t >= self.next_break()) {
             self.pass_kinks()?;
         }
         Ok(())

@@ -131,22 +131,21 @@ impl<T: Copy, const N: usize> Table<T, N> {
         }
     }
 
-    /// One table of several, entry by entry: for lanes. A lower degree is filled up with zeros,
-    /// which change nothing.
-    pub fn zip<U: Copy, const M: usize>(
-        tables: [&Table<U, N>; M],
-        join: impl Fn([U; M]) -> T,
-    ) -> Self {
-        Self {
-            center: join(tables.map(|table| table.center)),
-            half_width: join(tables.map(|table| table.half_width)),
-            per_half_width: join(tables.map(|table| table.per_half_width)),
-            error: join(tables.map(|table| table.error)),
-            degree: tables.iter().map(|table| table.degree).max().unwrap_or(0),
-            is_fitted: tables.iter().any(|table| table.is_fitted),
+    /// Every number joined with the one that stands in its place in `other`. A lower degree is
+    /// filled up with zeros, which change nothing.
+    pub fn zip<U: Copy, V>(&self, other: &Table<U, N>, join: impl Fn(T, U) -> V) -> Table<V, N> {
+        Table {
+            center: join(self.center, other.center),
+            half_width: join(self.half_width, other.half_width),
+            per_half_width: join(self.per_half_width, other.per_half_width),
+            error: join(self.error, other.error),
+            degree: self.degree.max(other.degree),
+            is_fitted: self.is_fitted || other.is_fitted,
             coefficients: std::array::from_fn(|i| {
                 std::array::from_fn(|odd| {
-                    std::array::from_fn(|k| join(tables.map(|table| table.coefficients[i][odd][k])))
+                    std::array::from_fn(|k| {
+                        join(self.coefficients[i][odd][k], other.coefficients[i][odd][k])
+                    })
                 })
             }),
         }
@@ -172,7 +171,7 @@ impl<T: Real, const N: usize> Table<T, N> {
 
     /// Positive where the coordinate is inside the interval.
     #[inline(always)]
-    fn inside(&self, coordinate: T) -> T {
+    pub(crate) fn inside(&self, coordinate: T) -> T {
         self.half_width - (coordinate - self.center).abs()
     }
 

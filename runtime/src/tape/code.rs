@@ -113,18 +113,18 @@ pub struct Tape {
 
 /// Arguments of a function.
 #[derive(Clone, Copy)]
-pub(super) struct Arguments<'a> {
-    pub t: f64,
-    pub x: &'a [f64],
-    pub d: &'a [f64],
-    pub u: &'a [f64],
+pub(super) struct Arguments<'a, T> {
+    pub t: T,
+    pub x: &'a [T],
+    pub d: &'a [T],
+    pub u: &'a [T],
     /// Values of the functions of one coordinate.
-    pub tabulated: &'a [f64],
+    pub tabulated: &'a [T],
 }
 
-impl<'a> Arguments<'a> {
+impl<'a, T> Arguments<'a, T> {
     /// Without functions of one coordinate, which only right-hand sides use.
-    pub fn new(t: f64, x: &'a [f64], d: &'a [f64], u: &'a [f64]) -> Self {
+    pub fn new(t: T, x: &'a [T], d: &'a [T], u: &'a [T]) -> Self {
         let tabulated = &[];
         Self {
             t,
@@ -155,33 +155,36 @@ impl Tape {
 
     /// Evaluates the function and writes its results to their positions in `out`; other entries of
     /// `out` are left as they are.
-    pub(super) fn evaluate(
+    #[inline(always)]
+    pub(super) fn evaluate<T: Real>(
         &self,
-        image: &[f64],
-        arguments: Arguments<'_>,
+        image: &[T],
+        arguments: Arguments<'_, T>,
         tables: &[Vec<f64>],
-        out: &mut [f64],
+        out: &mut [T],
     ) {
+        let zero = T::from_f64(0.0);
         let count = self.registers as usize;
         if count <= FEW {
-            let mut few = Few([0.0; FEW]);
+            let mut few = Few([zero; FEW]);
             self.fill(&mut few.0, image, arguments);
             run_in(&self.code, &mut few, tables);
             self.collect(&few.0, out);
         } else if count <= SEVERAL {
-            let mut several = Few([0.0; SEVERAL]);
+            let mut several = Few([zero; SEVERAL]);
             self.fill(&mut several.0, image, arguments);
             run_in(&self.code, &mut several, tables);
             self.collect(&several.0, out);
         } else {
-            let mut many = vec![0.0; count];
+            let mut many = vec![zero; count];
             self.fill(&mut many, image, arguments);
-            run(&self.code, &mut many, tables);
+            run_in(&self.code, many.as_mut_slice(), tables);
             self.collect(&many, out);
         }
     }
 
-    fn fill(&self, registers: &mut [f64], image: &[f64], arguments: Arguments<'_>) {
+    #[inline(always)]
+    fn fill<T: Real>(&self, registers: &mut [T], image: &[T], arguments: Arguments<'_, T>) {
         registers[..image.len()].copy_from_slice(image);
         for (register, load) in registers[image.len()..].iter_mut().zip(&self.loads) {
             *register = match load {
@@ -194,7 +197,8 @@ impl Tape {
         }
     }
 
-    fn collect(&self, registers: &[f64], out: &mut [f64]) {
+    #[inline(always)]
+    fn collect<T: Real>(&self, registers: &[T], out: &mut [T]) {
         for (position, register) in &self.results {
             out[*position as usize] = registers[*register as usize];
         }

@@ -2,6 +2,8 @@
 
 use super::code::{Arguments, Tape};
 use super::{TapePrepared, TapeProgram};
+use crate::lanes::Lanes;
+use crate::real::Real;
 use crate::table::{Table, TableReport, fit};
 
 /// Functions of one coordinate.
@@ -20,17 +22,16 @@ const FEW: usize = 32;
 
 /// The functions of all coordinates with a parameter set.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Configurations {
+pub(super) struct Configurations<T> {
     /// For each configuration the fixed registers of its tape.
-    images: Vec<Vec<f64>>,
-    /// For each configuration its functions in tables of [`WIDTH`]; none where closed forms are
-    /// evaluated everywhere.
-    tables: Vec<Vec<Table<f64, WIDTH>>>,
+    images: Vec<Vec<T>>,
+    /// For each configuration its functions in tables of [`WIDTH`].
+    tables: Vec<Vec<Table<T, WIDTH>>>,
     /// Number of functions of all configurations.
     count: usize,
 }
 
-impl Configurations {
+impl Configurations<f64> {
     /// Closed forms everywhere.
     pub fn closed(program: &TapeProgram, image: impl Fn(&Tape) -> Vec<f64>) -> Self {
         let configurations = &program.configurations;
@@ -39,7 +40,7 @@ impl Configurations {
                 .iter()
                 .map(|configuration| image(&configuration.functions))
                 .collect(),
-            tables: vec![Vec::new(); configurations.len()],
+            tables: no_tables(program),
             count: configurations
                 .iter()
                 .map(|configuration| configuration.functions.results.len())
@@ -55,11 +56,11 @@ impl Configurations {
             .zip(&self.images)
             .map(|(configuration, image)| {
                 let place = |pair: &(usize, usize)| pair.0 == configuration.coordinate;
+                let count = configuration.functions.results.len();
                 let Some(which) = program.coordinates.iter().position(place) else {
-                    return Vec::new();
+                    return without_tables(configuration);
                 };
                 let mut x = system.start_x.clone();
-                let count = configuration.functions.results.len();
                 let functions = &mut |q: f64, d: &[f64], out: &mut [f64]| {
                     x[configuration.coordinate] = q;
                     let arguments = Arguments::new(0.0, &x, d, &[]);
@@ -79,46 +80,38 @@ impl Configurations {
 
     /// Closed forms everywhere from now on.
     pub fn forget_tables(&mut self, program: &TapeProgram) {
-        self.tables = vec![Vec::new(); program.configurations.len()];
+        self.tables = no_tables(program);
     }
 
-    /// Calls `then` with the values of all functions.
-    #[inline(always)]
-    pub fn with_values(
-        &self,
-        program: &TapeProgram,
-        arguments: Arguments<'_>,
-        then: impl FnOnce(&[f64]),
-    ) {
-        if self.count <= FEW {
-            let mut values = [0.0; FEW];
-            self.evaluate(program, arguments, &mut values[..self.count]);
-            then(&values[..self.count]);
-        } else {
-            let mut values = vec![0.0; self.count];
-            self.evaluate(program, arguments, &mut values);
-            then(&values);
+    /// The same in every lane.
+    pub fn in_every_lane<L: Lanes>(&self) -> Configurations<L> {
+        let images = self.images.iter();
+        let tables = self.tables.iter().map(|tables| tables.iter());
+        Configurations {
+            images: images
+                .map(|image| image.iter().copied().map(L::from_f64).collect())
+                .collect(),
+            tables: tables
+                .map(|tables| tables.map(|table| table.map(L::from_f64)).collect())
+                .collect(),
+            count: self.count,
         }
     }
 
-    fn evaluate(&self, program: &TapeProgram, arguments: Arguments<'_>, values: &mut [f64]) {
-        let mut rest = values;
-        for ((configuration, image), tables) in program
-            .configurations
-            .iter()
-            .zip(&self.images)
-            .zip(&self.tables)
-        {
-            let tape = &configuration.functions;
-            let (own, others) = rest.split_at_mut(tape.results.len());
-            rest = others;
-            let q = arguments.x[configuration.coordinate];
-            if tables.first().is_some_and(|table| table.holds(q)) {
-                for (table, to) in tables.iter().zip(own.chunks_mut(WIDTH)) {
-                    to.copy_from_slice(&table.polynomials(q)[..to.len()]);
-                }
-            } else {
-                tape.evaluate(image, arguments, &program.tables, own);
+    /// Puts this parameter set into one lane.
+    pub fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Configurations<L>) {
+        let put = |mut number: L, value: f64| {
+            number.set_entry(lane, value);
+            number
+        };
+        for (image, own) in lanes.images.iter_mut().zip(&self.images) {
+            for (number, value) in image.iter_mut().zip(own) {
+                *number = put(*number, *value);
+            }
+        }
+        for (tables, own) in lanes.tables.iter_mut().zip(&self.tables) {
+            for (table, own) in tables.iter_mut().zip(own) {
+                *table = table.zip(own, put);
             }
         }
     }
@@ -143,5 +136,67 @@ impl Configurations {
             let table = tables.first();
             table.is_some_and(|table| table.is_left_by(x[configuration.coordinate]))
         })
+    }
+}
+
+/// Closed forms everywhere.
+fn no_tables(program: &TapeProgram) -> Vec<Vec<Table<f64, WIDTH>>> {
+    program.configurations.iter().map(without_tables).collect()
+}
+
+fn without_tables(configuration: &TapeConfiguration) -> Vec<Table<f64, WIDTH>> {
+    let groups = configuration.functions.results.len().div_ceil(WIDTH);
+    vec![Table::none(); groups]
+}
+
+impl<T: Real> Configurations<T> {
+    /// Calls `then` with the values of all functions.
+    #[inline(always)]
+    pub fn with_values(
+        &self,
+        program: &TapeProgram,
+        arguments: Arguments<'_, T>,
+        then: impl FnOnce(&[T]),
+    ) {
+        let zero = T::from_f64(0.0);
+        if self.count <= FEW {
+            let mut values = [zero; FEW];
+            self.evaluate(program, arguments, &mut values[..self.count]);
+            then(&values[..self.count]);
+        } else {
+            let mut values = vec![zero; self.count];
+            self.evaluate(program, arguments, &mut values);
+            then(&values);
+        }
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, program: &TapeProgram, arguments: Arguments<'_, T>, values: &mut [T]) {
+        let mut rest = values;
+        for ((configuration, image), tables) in program
+            .configurations
+            .iter()
+            .zip(&self.images)
+            .zip(&self.tables)
+        {
+            let tape = &configuration.functions;
+            let (own, others) = rest.split_at_mut(tape.results.len());
+            rest = others;
+            let q = arguments.x[configuration.coordinate];
+            let Some(first) = tables.first() else {
+                continue;
+            };
+            let inside = first.inside(q);
+            if !inside.all_positive() {
+                tape.evaluate(image, arguments, &program.tables, own);
+            }
+            if inside.any_positive() {
+                for (table, to) in tables.iter().zip(own.chunks_mut(WIDTH)) {
+                    for (to, near) in to.iter_mut().zip(table.polynomials(q)) {
+                        *to = inside.if_positive(near, *to);
+                    }
+                }
+            }
+        }
     }
 }

@@ -11,11 +11,13 @@
 
 mod code;
 mod configuration;
+mod lanes;
 mod operation;
 mod prepare;
 
 pub use code::{Fixed, Instruction, Load, Tape};
 pub use configuration::TapeConfiguration;
+pub use lanes::TapeLanes;
 pub use operation::Operation;
 pub use prepare::{Block, Check, PrepareTape, Solve, Step};
 
@@ -184,7 +186,7 @@ impl TapeModel {
 #[derive(Clone, Debug)]
 pub struct TapePrepared {
     program: Arc<TapeProgram>,
-    configurations: Configurations,
+    configurations: Configurations<f64>,
     start_x: Vec<f64>,
     start_d: Vec<f64>,
     rhs: Vec<f64>,
@@ -208,7 +210,7 @@ impl TapePrepared {
         self
     }
 
-    fn evaluate(&self, tape: &Tape, image: &[f64], arguments: Arguments<'_>, out: &mut [f64]) {
+    fn evaluate(&self, tape: &Tape, image: &[f64], arguments: Arguments<'_, f64>, out: &mut [f64]) {
         tape.evaluate(image, arguments, &self.program.tables, out);
     }
 }

@@ -1,0 +1,53 @@
+//! `LaneSystem` for prepared models: several parameter sets side by side.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The implementation, by the functions that are generic over numbers anyway.
+pub(super) fn lane_system() -> TokenStream {
+    let functions = [quote!(rhs), quote!(events), quote!(closures)];
+    let in_lanes = [
+        quote!(rhs_in_lanes),
+        quote!(events_in_lanes),
+        quote!(closures_in_lanes),
+    ];
+    quote! {
+        impl LaneSystem for Prepared<f64> {
+            type InLanes<L: Lanes> = Prepared<L>;
+
+            fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
+                self.map(L::from_f64)
+            }
+            fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
+                *lanes = lanes.zip(self, |mut number: L, value: f64| {
+                    number.set_entry(lane, value);
+                    number
+                });
+            }
+            #[inline(always)]
+            fn accept_in_lanes<L: Lanes>(
+                lanes: &Prepared<L>,
+                t: L,
+                x: &[L],
+                u: &[L],
+                d: &mut [L],
+            ) {
+                let before = *array(d);
+                accept(t, array(x), &before, array(u), lanes, array_mut(d));
+            }
+            #(
+                #[inline(always)]
+                fn #in_lanes<L: Lanes>(
+                    lanes: &Prepared<L>,
+                    t: L,
+                    x: &[L],
+                    d: &[L],
+                    u: &[L],
+                    result: &mut [L],
+                ) {
+                    #functions(t, array(x), array(d), array(u), lanes, array_mut(result));
+                }
+            )*
+        }
+    }
+}

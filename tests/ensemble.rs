@@ -1,0 +1,113 @@
+//! Ensembles: every trajectory is the one that `simulate` gives, whatever runs beside it.
+
+use flexure_models::double_rocker;
+use flexure_runtime::diagnostic::Diagnostic;
+use flexure_runtime::lanes::{LaneSystem, Lanes, Portable};
+use flexure_runtime::simulate::{Ensemble, Trajectory, TrajectoryFailure, ensemble, simulate};
+
+type Outcome = Result<Trajectory, TrajectoryFailure>;
+type Systems<S> = std::vec::IntoIter<Result<S, Diagnostic>>;
+
+fn actuators(count: usize) -> Vec<double_rocker::Prepared<f64>> {
+    let frequency = |i: usize| 600.0 + 137.0 * i as f64;
+    (0..count)
+        .map(|i| {
+            let design = double_rocker::Params {
+                f: frequency(i),
+                Fp: 12.0 + i as f64,
+                ..Default::default()
+            };
+            design.prepare().expect("a design that closes")
+        })
+        .collect()
+}
+
+fn all<'a, S: LaneSystem + Clone>(systems: &[S]) -> Ensemble<'a, Systems<S>> {
+    let each: Vec<Result<S, Diagnostic>> = systems.iter().cloned().map(Ok).collect();
+    ensemble(each)
+}
+
+fn on<L: Lanes, S: LaneSystem>(runs: Ensemble<'_, Systems<S>>) -> Vec<Outcome> {
+    let mut outcomes = Vec::new();
+    runs.run_on::<L>(|index, outcome| {
+        assert_eq!(index, outcomes.len());
+        outcomes.push(outcome);
+    });
+    outcomes
+}
+
+fn done(outcome: &Outcome) -> &Trajectory {
+    outcome.as_ref().expect("a trajectory to its end")
+}
+
+/// Bit by bit, signs of zeros included.
+fn same(a: &[f64], b: &[f64]) -> bool {
+    a.iter()
+        .map(|v| v.to_bits())
+        .eq(b.iter().map(|v| v.to_bits()))
+}
+
+fn assert_same(a: &[Outcome], b: &[Outcome]) {
+    assert_eq!(a.len(), b.len());
+    for (a, b) in a.iter().zip(b) {
+        let (a, b) = (done(a), done(b));
+        assert_eq!(a.summary, b.summary);
+        assert!(same(&a.summary.state, &b.summary.state));
+        assert_eq!(a.samples, b.samples);
+    }
+}
+
+#[test]
+fn fixed_steps_are_those_of_simulate() {
+    let systems = actuators(6);
+    let outcomes = on::<Portable<4>, _>(all(&systems).until(2.3e-3).dt(4e-7));
+    for (system, outcome) in systems.iter().zip(&outcomes) {
+        let run = simulate(system).until(2.3e-3).dt(4e-7).run().unwrap();
+        assert_eq!(&done(outcome).summary, run.summary());
+        assert!(done(outcome).summary.statistics.kinks > 1);
+    }
+}
+
+#[test]
+fn adaptive_steps_are_those_of_simulate() {
+    let systems = actuators(6);
+    let outcomes = on::<Portable<4>, _>(all(&systems).until(2.3e-3).rtol(1e-8));
+    for (system, outcome) in systems.iter().zip(&outcomes) {
+        let run = simulate(system).until(2.3e-3).rtol(1e-8).run().unwrap();
+        assert_eq!(&done(outcome).summary, run.summary());
+        assert!(done(outcome).summary.statistics.rejected > 10);
+    }
+}
+
+#[test]
+fn results_depend_on_no_neighbour() {
+    let systems = actuators(7);
+    let samples = |index: usize| vec![0.4e-3 + 1e-5 * index as f64, 1e-3];
+    for step in [None, Some(5e-7)] {
+        let runs = |systems: &[_]| {
+            let runs = all(systems).until(1.1e-3).samples(&[0.4e-3, 1e-3]);
+            match step {
+                None => runs.rtol(1e-7),
+                Some(step) => runs.dt(step),
+            }
+        };
+        let one = on::<f64, _>(runs(&systems));
+        assert_same(&one, &on::<Portable<1>, _>(runs(&systems)));
+        assert_same(&one, &on::<Portable<4>, _>(runs(&systems)));
+        assert_same(&one, &on::<Portable<8>, _>(runs(&systems)));
+        assert_same(&one, &on::<Portable<4>, _>(runs(&systems).threads(1)));
+        assert_same(&one, &on::<Portable<4>, _>(runs(&systems).threads(2)));
+        assert_same(&one, &on::<Portable<4>, _>(runs(&systems).threads(3)));
+        let backwards: Vec<_> = systems.iter().rev().cloned().collect();
+        let mut others = on::<Portable<4>, _>(runs(&backwards).threads(2));
+        others.reverse();
+        assert_same(&one, &others);
+
+        let widest = runs(&systems).threads(1).collect();
+        assert_same(&widest, &runs(&systems).threads(3).collect());
+        let mut others = runs(&backwards).threads(2).collect();
+        others.reverse();
+        assert_same(&widest, &others);
+    }
+    let _ = samples;
+}
