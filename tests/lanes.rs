@@ -1,0 +1,99 @@
+//! Right-hand sides on lanes: every path, in any company, computes what plain numbers do.
+
+use std::cell::{Cell, RefCell};
+
+use flexure_models::double_rocker::{Params, Prepared, rhs};
+use flexure_runtime::lanes::{Lanes, Path, Task, on_path, on_path_alone};
+use proptest::prelude::*;
+
+/// Rates of the states of one trajectory each.
+struct Rates<'a> {
+    designs: &'a [Prepared<f64>],
+    states: &'a [[f64; 7]],
+}
+
+impl Task for Rates<'_> {
+    type Output = Vec<[f64; 7]>;
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) -> Vec<[f64; 7]> {
+        let mut results = Vec::new();
+        for first in (0..self.states.len()).step_by(T::COUNT) {
+            let index = |lane: usize| (first + lane).min(self.states.len() - 1);
+            let mut prepared = self.designs[first].map(T::from_f64);
+            for lane in 0..T::COUNT {
+                let entries = fields(&self.designs[index(lane)]);
+                let next = Cell::new(0);
+                prepared = prepared.map(|mut lanes| {
+                    lanes.set_entry(lane, entries[next.replace(next.get() + 1)]);
+                    lanes
+                });
+            }
+            let x = std::array::from_fn(|i| T::from_entries(|lane| self.states[index(lane)][i]));
+            let mut dx = [T::from_f64(0.0); 7];
+            let t = T::from_f64(1e-4);
+            rhs(t, &x, &prepared.start_discretes, &[], &prepared, &mut dx);
+            let count = T::COUNT.min(self.states.len() - first);
+            results.extend((0..count).map(|lane| dx.map(|rate| rate.entry(lane))));
+        }
+        results
+    }
+}
+
+/// Every number of a parameter set, in the order of [`Prepared::map`].
+fn fields(prepared: &Prepared<f64>) -> Vec<f64> {
+    let fields = RefCell::new(Vec::new());
+    prepared.map(|value| fields.borrow_mut().push(value));
+    fields.into_inner()
+}
+
+prop_compose! {
+    /// A design near that of the model, and a state that it may pass.
+    fn trajectory()(
+        l1 in 0.97..1.03,
+        l2 in 0.97..1.03,
+        preload in 0.1..3.0,
+        states in prop::array::uniform7(-1.0..1.0),
+    ) -> (Params, [f64; 7]) {
+        let nominal = Params::default();
+        let design = Params {
+            l1: l1 * nominal.l1,
+            l2: l2 * nominal.l2,
+            Fp: preload * nominal.Fp,
+            ..nominal
+        };
+        let sizes = [0.03, 30.0, 1e-5, 0.1, 1e-3, 0.1, 1e-6];
+        let mut x: [f64; 7] = std::array::from_fn(|i| states[i] * sizes[i]);
+        x[0] += 80f64.to_radians();
+        (design, x)
+    }
+}
+
+proptest! {
+    #[test]
+    fn every_path_agrees_with_plain_numbers(
+        trajectories in prop::collection::vec(trajectory(), 1..20),
+    ) {
+        let designs: Vec<_> =
+            trajectories.iter().map(|(design, _)| design.prepare().unwrap()).collect();
+        let states: Vec<_> = trajectories.iter().map(|(_, x)| *x).collect();
+        let rates = || Rates { designs: &designs, states: &states };
+        let plain = rates().run::<f64>();
+        prop_assert!(plain.iter().flatten().all(|rate| rate.is_finite()));
+        prop_assert_eq!(&on_path(Path::Portable, rates()), &plain);
+        for path in Path::ALL {
+            let lanes = on_path(path, rates());
+            prop_assert_eq!(&lanes, &on_path_alone(path, rates()), "{:?}", path);
+            // An acceleration is a difference of forces: errors are in proportion to the largest.
+            for (ours, plain) in lanes.iter().zip(&plain) {
+                for (i, scale) in [1.0, 1e7, 1.0, 1e5, 1.0, 1e4, 1.0].into_iter().enumerate() {
+                    let difference = (ours[i] - plain[i]).abs();
+                    prop_assert!(
+                        difference <= 1e-12 * (scale + plain[i].abs()),
+                        "rate {} is {} on {:?}, not {}", i, ours[i], path, plain[i]
+                    );
+                }
+            }
+        }
+    }
+}
