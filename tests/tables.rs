@@ -16,7 +16,7 @@ use support::{compile, model_names, shipped, tape, tape_model};
 const ROUNDING: f64 = 1e-13;
 /// Coefficients are multiplied by forces and added up: by that much their errors may stand out of
 /// the largest rate.
-const CANCELLING: f64 = 100.0;
+const CANCELLING: f64 = 10.0;
 
 /// The right-hand side at random states whose coordinates are anywhere in the intervals, by tables
 /// and in closed form; returns the largest error relative to the largest size of each entry, and
