@@ -1,6 +1,4 @@
-//! Chebyshev expansions of several functions at once, side by side.
-//!
-//! Arrays hold a row for each node or degree, with an entry for each function.
+//! Chebyshev expansions, and the polynomials that they are.
 
 use std::f64::consts::PI;
 
@@ -9,8 +7,10 @@ pub(super) const NODES: usize = 17;
 
 /// The nodes, and Chebyshev polynomials there.
 pub(super) struct Grid {
-    /// cos(k (2j + 1) π / 2n): the polynomial of degree k at node j.
+    /// cos(k (2j + 1) π / 2n) at (j, k): the polynomial of degree k at node j.
     at_nodes: [[f64; NODES]; NODES],
+    /// The polynomials of degree 1: from 1 down to -1.
+    pub nodes: [f64; NODES],
 }
 
 impl Grid {
@@ -18,87 +18,67 @@ impl Grid {
         let step = PI / (2 * NODES) as f64;
         // A whole turn is 4 NODES steps.
         let cosines: [f64; 4 * NODES] = std::array::from_fn(|k| (k as f64 * step).cos());
+        let at_nodes = std::array::from_fn(|j| {
+            std::array::from_fn(|k| cosines[k * (2 * j + 1) % (4 * NODES)])
+        });
         Self {
-            at_nodes: std::array::from_fn(|k| {
-                std::array::from_fn(|j| cosines[k * (2 * j + 1) % (4 * NODES)])
-            }),
+            at_nodes,
+            nodes: at_nodes.map(|polynomials| polynomials[1]),
         }
     }
 
-    /// The nodes, from 1 down to -1.
-    pub fn nodes(&self) -> &[f64; NODES] {
-        &self.at_nodes[1]
-    }
-
-    /// Coefficients of the polynomials through `values` at the nodes.
-    pub fn expand(&self, values: &[f64], count: usize) -> Vec<f64> {
-        let mut coefficients = vec![0.0; NODES * count];
-        for (k, row) in coefficients.chunks_exact_mut(count).enumerate() {
-            let share = if k == 0 { 1.0 } else { 2.0 } / NODES as f64;
-            for (polynomial, values) in self.at_nodes[k].iter().zip(values.chunks_exact(count)) {
-                add(row, share * polynomial, values);
+    /// Coefficients of the polynomial through `values` at the nodes.
+    pub fn expand(&self, values: &[f64; NODES]) -> [f64; NODES] {
+        let mut sums = [0.0; NODES];
+        for (value, polynomials) in values.iter().zip(&self.at_nodes) {
+            for (sum, polynomial) in sums.iter_mut().zip(polynomials) {
+                *sum += value * polynomial;
             }
         }
+        let mut coefficients = sums.map(|sum| sum * (2.0 / NODES as f64));
+        coefficients[0] *= 0.5;
         coefficients
     }
 
-    /// Coefficients of the polynomials through `values` that were taken at the points `taken_at`,
-    /// close to the nodes: the slopes of a first expansion move them to the nodes.
-    pub fn expand_moved(&self, values: &[f64], taken_at: &[f64; NODES], count: usize) -> Vec<f64> {
-        let slopes = derivative(&self.expand(values, count), count);
-        let mut moved = values.to_vec();
-        for (j, row) in moved.chunks_exact_mut(count).enumerate() {
-            let step = self.nodes()[j] - taken_at[j];
-            for (slopes, at_nodes) in slopes.chunks_exact(count).zip(&self.at_nodes) {
-                add(row, step * at_nodes[j], slopes);
-            }
-        }
-        self.expand(&moved, count)
+    /// Coefficients of the polynomial through `values` that were taken at points that far below the
+    /// nodes: the slopes of a first expansion move them to the nodes.
+    pub fn expand_moved(&self, values: &[f64; NODES], below: &[f64; NODES]) -> [f64; NODES] {
+        let slopes = derivative(&self.expand(values));
+        self.expand(&std::array::from_fn(|j| {
+            let terms = slopes.iter().zip(&self.at_nodes[j]);
+            let slope: f64 = terms.map(|(slope, polynomial)| slope * polynomial).sum();
+            values[j] + below[j] * slope
+        }))
     }
 }
 
-/// Adds `factor` times a row to another.
-fn add(to: &mut [f64], factor: f64, row: &[f64]) {
-    for (to, entry) in to.iter_mut().zip(row) {
-        *to += factor * entry;
+/// Coefficients of the derivative: c'ₖ₋₁ = c'ₖ₊₁ + 2k cₖ.
+fn derivative(coefficients: &[f64; NODES]) -> [f64; NODES] {
+    let mut slopes = [0.0; NODES];
+    for k in (1..NODES).rev() {
+        let after = slopes.get(k + 1).copied().unwrap_or(0.0);
+        slopes[k - 1] = after + 2.0 * k as f64 * coefficients[k];
     }
-}
-
-/// Coefficients of the derivatives: c'ₖ₋₁ = c'ₖ₊₁ + 2k cₖ.
-fn derivative(coefficients: &[f64], count: usize) -> Vec<f64> {
-    let rows = coefficients.len() / count;
-    let mut slopes = vec![0.0; (rows + 1) * count];
-    for k in (1..rows).rev() {
-        for f in 0..count {
-            slopes[(k - 1) * count + f] =
-                slopes[(k + 1) * count + f] + 2.0 * k as f64 * coefficients[k * count + f];
-        }
-    }
-    slopes[..count].iter_mut().for_each(|slope| *slope *= 0.5);
+    slopes[0] *= 0.5;
     slopes
 }
 
-/// Coefficients of powers, by Tₖ₊₁ = 2 s Tₖ - Tₖ₋₁; one row for each power.
-pub(super) fn powers(coefficients: &[f64], count: usize) -> Vec<Vec<f64>> {
-    let rows = coefficients.len() / count;
-    let mut sums = vec![vec![0.0; count]; rows];
-    let mut before = vec![0.0; rows];
-    let mut now = vec![0.0; rows];
-    now[0] = 1.0;
-    for (k, row) in coefficients.chunks_exact(count).enumerate() {
-        for (sum, weight) in sums.iter_mut().zip(&now) {
-            add(sum, *weight, row);
+/// Coefficients of the powers in the Chebyshev polynomials, by Tₖ₊₁ = 2 s Tₖ - Tₖ₋₁.
+pub(super) fn polynomials() -> [[f64; NODES]; NODES] {
+    let mut all = [[0.0; NODES]; NODES];
+    all[0][0] = 1.0;
+    all[1][1] = 1.0;
+    for k in 2..NODES {
+        for power in 0..=k {
+            let raised = if power == 0 {
+                0.0
+            } else {
+                all[k - 1][power - 1]
+            };
+            all[k][power] = 2.0 * raised - all[k - 2][power];
         }
-        let factor = if k == 0 { 1.0 } else { 2.0 };
-        let next = (0..rows)
-            .map(|power| {
-                let raised = if power == 0 { 0.0 } else { now[power - 1] };
-                factor * raised - before[power]
-            })
-            .collect();
-        before = std::mem::replace(&mut now, next);
     }
-    sums
+    all
 }
 
 #[cfg(test)]
@@ -107,26 +87,18 @@ mod tests {
 
     #[test]
     fn polynomials_come_back() {
-        // 1 - 3 s + 2 s⁵ and s², side by side, taken a little beside the nodes.
-        let of = |s: f64| [1.0 - 3.0 * s + 2.0 * s.powi(5), s * s];
+        // 1 - 3 s + 2 s⁵, taken a little beside the nodes.
+        let of = |s: f64| 1.0 - 3.0 * s + 2.0 * s.powi(5);
         let grid = Grid::new();
-        let taken_at = grid.nodes().map(|node| node * (1.0 - 1e-9));
-        let values: Vec<f64> = taken_at.iter().flat_map(|s| of(*s)).collect();
-        let coefficients = powers(&grid.expand_moved(&values, &taken_at, 2), 2);
-        let expected = [
-            [1.0, 0.0],
-            [-3.0, 0.0],
-            [0.0, 1.0],
-            [0.0; 2],
-            [0.0; 2],
-            [2.0, 0.0],
-        ];
-        for (power, row) in coefficients.iter().enumerate() {
-            for (function, value) in row.iter().enumerate() {
-                let expected = expected.get(power).map_or(0.0, |row| row[function]);
-                // Powers of degree 16 have coefficients of 2¹⁵, and rounding errors of that size.
-                assert!((value - expected).abs() < 1e-10, "{power}: {value}");
-            }
+        let taken_at = grid.nodes.map(|node| node * (1.0 - 1e-9));
+        let below = std::array::from_fn(|j| grid.nodes[j] - taken_at[j]);
+        let coefficients = grid.expand_moved(&taken_at.map(of), &below);
+        // T₁ = s, T₃ = 4s³ - 3s, T₅ = 16s⁵ - 20s³ + 5s.
+        let expected = [1.0, -3.0 + 10.0 / 8.0, 0.0, 5.0 / 8.0, 0.0, 1.0 / 8.0];
+        for (k, coefficient) in coefficients.iter().enumerate() {
+            let expected = expected.get(k).copied().unwrap_or(0.0);
+            assert!((coefficient - expected).abs() < 1e-15, "{k}: {coefficient}");
         }
+        assert_eq!(polynomials()[5][..6], [0.0, 5.0, 0.0, -20.0, 0.0, 16.0]);
     }
 }

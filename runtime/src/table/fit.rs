@@ -7,7 +7,7 @@
 //! lose nothing: coefficients that fall by 1e-13 within twelve degrees outweigh the growth of the
 //! powers' own ((1 + √2)ᵏ).
 
-use super::chebyshev::{Grid, powers};
+use super::chebyshev::{Grid, NODES, polynomials};
 use super::motion::{expected, inputs};
 use super::{LARGEST_DEGREE, Table};
 use crate::system::System;
@@ -97,25 +97,38 @@ struct Expansion {
     half_width: f64,
     /// Largest absolute values of the functions.
     sizes: Vec<f64>,
-    /// A row for each degree.
-    coefficients: Vec<f64>,
+    /// Of each function.
+    coefficients: Vec<[f64; NODES]>,
 }
 
 impl Expansion {
     /// The lowest degree behind which every function's coefficients add up to no more than
     /// `left_out` times its size.
     fn degree(&self, left_out: f64) -> usize {
-        let count = self.sizes.len();
-        let mut rest = vec![0.0; count];
-        for (k, row) in self.coefficients.chunks_exact(count).enumerate().rev() {
-            for (f, coefficient) in row.iter().enumerate() {
-                rest[f] += coefficient.abs();
-                if !(rest[f] <= left_out * self.sizes[f]) {
-                    return k;
-                }
-            }
-        }
-        0
+        let functions = self.coefficients.iter().zip(&self.sizes);
+        let degrees = functions.map(|(coefficients, size)| {
+            let mut rest = 0.0;
+            let mut from_above = (1..NODES).rev();
+            let is_beyond = |k: &usize| {
+                rest += coefficients[*k].abs();
+                !(rest <= left_out * size)
+            };
+            from_above.find(is_beyond).unwrap_or(0)
+        });
+        degrees.max().unwrap_or(0)
+    }
+
+    /// Coefficients of powers up to `degree`, a row for each.
+    fn powers(&self, degree: usize) -> Vec<Vec<f64>> {
+        let polynomials = polynomials();
+        let row = |power: usize| {
+            let of_one = |coefficients: &[f64; NODES]| {
+                let terms = (power..=degree).map(|k| coefficients[k] * polynomials[k][power]);
+                terms.sum()
+            };
+            self.coefficients.iter().map(of_one).collect()
+        };
+        (0..=degree).map(row).collect()
     }
 }
 
@@ -222,21 +235,25 @@ impl<'s> Place<'s> {
         count: usize,
         functions: Functions<'_>,
     ) -> Option<Expansion> {
-        let values = self.sample(half_width, self.grid.nodes(), count, functions)?;
-        let mut sizes = vec![0.0; count];
-        for row in values.chunks_exact(count) {
-            for (size, value) in sizes.iter_mut().zip(row) {
-                *size = value.abs().max(*size);
-            }
+        let grid = &self.grid;
+        let rows = self.sample(half_width, &grid.nodes, count, functions)?;
+        let below = grid
+            .nodes
+            .map(|node| node - self.stands_at(half_width, node));
+        let (mut sizes, mut coefficients) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for f in 0..count {
+            let values: [f64; NODES] = std::array::from_fn(|j| rows[j * count + f]);
+            sizes.push(
+                values
+                    .iter()
+                    .fold(0.0, |size: f64, value| size.max(value.abs())),
+            );
+            coefficients.push(grid.expand_moved(&values, &below));
         }
-        let taken_at = self
-            .grid
-            .nodes()
-            .map(|node| self.stands_at(half_width, node));
         Some(Expansion {
             half_width,
             sizes,
-            coefficients: self.grid.expand_moved(&values, &taken_at, count),
+            coefficients,
         })
     }
 
@@ -258,7 +275,7 @@ impl<'s> Place<'s> {
             return None;
         }
         let (half_width, count) = (expansion.half_width, expansion.sizes.len());
-        let coefficients = powers(&expansion.coefficients[..(degree + 1) * count], count);
+        let coefficients = expansion.powers(degree);
         let exact = self.sample(half_width, &CHECKED, count, functions)?;
         let mut error: f64 = 0.0;
         for (point, exact) in CHECKED.iter().zip(exact.chunks_exact(count)) {

@@ -1,0 +1,61 @@
+//! Tables in lanes: what a lane gets depends on nothing in the others.
+
+use flexure_runtime::lanes::{Lanes, Portable};
+use flexure_runtime::table::{Fit, Table};
+
+/// 1 + 2 s - s³ and s², on an interval about `center`.
+fn fit(center: f64, half_width: f64, degree: usize) -> Fit {
+    let rows = [[1.0, 0.0], [2.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+    Fit {
+        center,
+        half_width,
+        degree,
+        error: 0.0,
+        coefficients: rows[..=degree].iter().map(|row| row.to_vec()).collect(),
+    }
+}
+
+#[test]
+fn polynomials_and_closed_form() {
+    let table = Table::<f64, 2>::new(&fit(1.0, 0.5, 3), 0);
+    let inside = table.values(1.25, || panic!("it is inside"));
+    assert_eq!(inside, [1.0 + 1.0 - 0.125, 0.25]);
+    for outside in [0.5, 1.5, 2.0, f64::NAN] {
+        assert_eq!(table.values(outside, || [7.0, 8.0]), [7.0, 8.0]);
+    }
+    let none = Table::<f64, 2>::none();
+    assert_eq!(none.values(0.0, || [7.0, 8.0]), [7.0, 8.0]);
+}
+
+#[test]
+fn lanes_do_not_depend_on_each_other() {
+    // Different intervals and degrees, one without a table, some coordinates outside.
+    let tables = [
+        Table::<f64, 2>::new(&fit(1.0, 0.5, 3), 0),
+        Table::new(&fit(0.0, 2.0, 1), 0),
+        Table::none(),
+        Table::new(&fit(-1.0, 0.1, 2), 0),
+    ];
+    let joined: Table<Portable<4>, 2> = Table::zip(tables.each_ref(), |numbers| {
+        Portable::from_entries(|lane| numbers[lane])
+    });
+    let closed = |q: f64| [q.exp(), q * q];
+    for coordinates in [
+        [1.1, 0.3, 0.0, -1.05],
+        [2.0, 0.3, 0.1, -1.0],
+        [2.0, 3.0, 0.1, 0.0],
+        [0.7, -1.9, 5.0, -0.95],
+    ] {
+        let q = Portable::<4>::from_entries(|lane| coordinates[lane]);
+        let together = joined.values(q, || {
+            let each = coordinates.map(closed);
+            std::array::from_fn(|k| Portable::from_entries(|lane| each[lane][k]))
+        });
+        for (lane, table) in tables.iter().enumerate() {
+            let alone = table.values(coordinates[lane], || closed(coordinates[lane]));
+            for k in 0..2 {
+                assert_eq!(together[k].entry(lane).to_bits(), alone[k].to_bits());
+            }
+        }
+    }
+}
