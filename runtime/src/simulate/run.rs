@@ -51,6 +51,8 @@ pub enum Ending {
 pub struct Statistics {
     /// Steps that count.
     pub accepted: u64,
+    /// Those among them that the stiff method took.
+    pub stiff: u64,
     /// Steps tried in vain: too inaccurate, a body turned too far, a loop that could not close.
     pub rejected: u64,
     /// Evaluations of the right-hand side.

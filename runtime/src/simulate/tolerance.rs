@@ -11,8 +11,6 @@ const LARGEST_CUT: f64 = 0.2;
 const SAFETY: f64 = 0.9;
 /// Exponent of the error of the step before, in proportional–integral control.
 const MEMORY: f64 = 0.02;
-/// One over the order of the error estimate in the step.
-const EXPONENT: f64 = 1.0 / 8.0;
 
 /// Proportional–integral step control with scales that follow the motion.
 pub(super) struct StepControl {
@@ -109,12 +107,18 @@ impl StepControl {
         &self.allowed
     }
 
-    /// The next step's length after one of length `h` whose error was acceptable.
-    pub fn accepted(&mut self, h: f64, error: f64, x_end: &[f64]) {
+    /// The errors that were allowed in the step that was judged last.
+    pub fn judged_by(&self) -> &[f64] {
+        &self.allowed
+    }
+
+    /// The next step's length after one of length `h` whose error, of `order` in the step, was
+    /// acceptable.
+    pub fn accepted(&mut self, h: f64, error: f64, order: f64, x_end: &[f64]) {
         for (state, &x) in self.states.iter_mut().zip(x_end) {
             state.excursion = state.excursion.max((x - state.start).abs());
         }
-        let proportional = error.powf(-(EXPONENT - 0.2 * MEMORY));
+        let proportional = error.powf(-(order.recip() - 0.2 * MEMORY));
         let growth = SAFETY * proportional * self.last_error.powf(MEMORY);
         let growth = growth.clamp(
             LARGEST_CUT,
@@ -136,9 +140,10 @@ impl StepControl {
         self.was_rejected = false;
     }
 
-    /// After a step of length `h` whose error was too large.
-    pub fn too_inaccurate(&mut self, h: f64, error: f64) {
-        self.cut(h, (SAFETY * error.powf(-EXPONENT)).clamp(LARGEST_CUT, 0.9));
+    /// After a step of length `h` whose error, of `order` in the step, was too large.
+    pub fn too_inaccurate(&mut self, h: f64, error: f64, order: f64) {
+        let factor = SAFETY * error.powf(-order.recip());
+        self.cut(h, factor.clamp(LARGEST_CUT, 0.9));
     }
 
     /// After a step of length `h` that cannot be taken at all.
