@@ -72,6 +72,22 @@ pub struct EventRecord {
     pub index: usize,
 }
 
+impl Statistics {
+    /// How adaptive steps were taken, and why so.
+    pub fn steps(&self) -> String {
+        let Self {
+            accepted, stiff, ..
+        } = self;
+        match stiff {
+            0 => format!("{accepted} explicit: stability did not limit them"),
+            _ if stiff == accepted => format!("{accepted} stiff"),
+            _ => format!(
+                "{accepted}, {stiff} of them stiff: stability would have limited explicit ones"
+            ),
+        }
+    }
+}
+
 impl Run {
     pub(super) fn new(table: Table, summary: Summary) -> Self {
         Self { table, summary }
