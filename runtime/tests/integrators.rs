@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 
 use flexure_runtime::simulate::{
-    BreakdownKind, Ending, Heading, Recorder, Run, RunFailure, simulate,
+    BreakdownKind, Ending, Heading, Integrator, Recorder, Run, RunFailure, simulate,
 };
 use flexure_runtime::system::{Energy, EventAction};
 use systems::FnSystem;
@@ -64,6 +64,79 @@ fn steps_of_the_adaptive_method_are_of_order_8() {
     };
     let order = (error(TAU / 100.0) / error(TAU / 200.0)).log2();
     assert!(order > 7.2 && order < 9.0, "{order}");
+}
+
+#[test]
+fn steps_of_the_stiff_method_are_of_order_5() {
+    // Driven, so that the slope of the rates in time has its part.
+    let system = FnSystem::new(&[("x", "m"), ("v", "m/s")], &[0.0, 0.0], |t, x, _, dx| {
+        dx[0] = x[1];
+        dx[1] = (2.0 * t).sin() - x[0] - 0.1 * x[0].powi(3);
+    });
+    let run = |step: f64| {
+        let stiff = simulate(&system).integrator(Integrator::Stiff).until(3.0);
+        stiff.rtol(0.1).max_step(step).run().unwrap()
+    };
+    let exact = simulate(&system).until(3.0).rtol(1e-13).run().unwrap();
+    let error = |step: f64| distance(&run(step), &exact.summary().state);
+    let order = (error(0.05) / error(0.025)).log2();
+    assert!((order - 5.0).abs() < 0.4, "{order}");
+}
+
+/// A state that follows a cosine at a rate a million times its own.
+fn follower() -> FnSystem {
+    FnSystem::new(&[("x", "m"), ("y", "m")], &[1.0, 0.0], |t, x, _, dx| {
+        dx[0] = -1e6 * (x[0] - t.cos()) - t.sin();
+        dx[1] = x[0];
+    })
+}
+
+#[test]
+fn stiff_systems_take_stiff_steps_and_others_explicit_ones() {
+    let follower = follower();
+    let with = |integrator| {
+        let simulation = simulate(&follower).until(1.0).rtol(1e-7);
+        simulation.integrator(integrator).run().unwrap()
+    };
+    let explicit = with(Integrator::Explicit);
+    let (stiff, automatic) = (with(Integrator::Stiff), with(Integrator::Automatic));
+    for run in [&explicit, &stiff, &automatic] {
+        assert!(distance(run, &[1f64.cos(), 1f64.sin()]) < 1e-6);
+    }
+    assert_eq!(explicit.statistics().stiff, 0);
+    assert_eq!(stiff.statistics().stiff, stiff.statistics().accepted);
+    let counts = automatic.statistics();
+    assert!(counts.stiff > 0 && counts.evaluations < explicit.statistics().evaluations / 20);
+    let calm = simulate(&kepler()).until(TAU).run().unwrap();
+    assert_eq!(calm.statistics().stiff, 0);
+}
+
+#[test]
+fn stiff_steps_have_dense_output_and_accounts_and_do_not_depend_on_rows() {
+    let system = driven();
+    let run = |every: f64| {
+        let stiff = simulate(&system).integrator(Integrator::Stiff).energy(true);
+        stiff.until(2.0).rtol(1e-8).every(every).run().unwrap()
+    };
+    let (coarse, fine) = (run(0.5), run(0.01));
+    assert_eq!(coarse.summary().state, fine.summary().state);
+    let explicit = simulate(&system).until(2.0).rtol(1e-12).every(0.01);
+    let explicit = explicit.integrator(Integrator::Explicit).run().unwrap();
+    let name = fine.headings()[1].name.clone();
+    let pairs = fine
+        .column(&name)
+        .values()
+        .iter()
+        .zip(explicit.column(&name).values());
+    let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-6 * explicit.column(&name).max(), "{worst}");
+    let balance = fine.column("energy.balance");
+    let bound = 1e-6 * fine.column("energy.supplied").max();
+    assert!(
+        balance.max().max(-balance.min()) < bound,
+        "{}",
+        balance.max()
+    );
 }
 
 #[test]

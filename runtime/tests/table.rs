@@ -1,6 +1,7 @@
 //! Tables in lanes: what a lane gets depends on nothing in the others.
 
 use flexure_runtime::lanes::{Lanes, Portable};
+use flexure_runtime::real::Real;
 use flexure_runtime::table::{Fit, Table};
 
 /// 1 + 2 s - s³ and s², on an interval about `center`.
@@ -36,9 +37,13 @@ fn lanes_do_not_depend_on_each_other() {
         Table::none(),
         Table::new(&fit(-1.0, 0.1, 2), 0),
     ];
-    let joined: Table<Portable<4>, 2> = Table::zip(tables.each_ref(), |numbers| {
-        Portable::from_entries(|lane| numbers[lane])
-    });
+    let mut joined: Table<Portable<4>, 2> = tables[0].map(Portable::from_f64);
+    for (lane, table) in tables.iter().enumerate() {
+        joined = joined.zip(table, |mut number, value| {
+            number.set_entry(lane, value);
+            number
+        });
+    }
     let closed = |q: f64| [q.exp(), q * q];
     for coordinates in [
         [1.1, 0.3, 0.0, -1.05],

@@ -1,7 +1,9 @@
 //! `flexure check`: what a model says, assembled, and what its author should know.
 
 use clap::Args;
+use flexure::runtime::simulate::simulate;
 
+use super::plot::scale;
 use super::settings::Settings;
 use super::terminal::Terminal;
 use super::{Failure, print};
@@ -18,6 +20,10 @@ pub struct Arguments {
     settings: Settings,
 }
 
+/// Steps of a run from the start that show which method suits, and when it ends at last, in s.
+const PROBE_STEPS: u64 = 2000;
+const PROBE_TIME: f64 = 1.0;
+
 /// Does it.
 ///
 /// # Errors
@@ -26,7 +32,17 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     let chosen = arguments.settings.choose(terminal)?;
     let mut assembled = chosen.design.assembled().map_err(Failure::model)?;
-    let facts = assembled.facts();
+    let mut facts = assembled.facts();
+    let system = chosen.design.prepare().map_err(Failure::model)?;
+    let probe = simulate(&system).until(PROBE_TIME).probe(PROBE_STEPS);
+    facts.push((
+        "first steps".to_owned(),
+        format!(
+            "{}, to {}",
+            probe.statistics.steps(),
+            scale::with_unit(probe.end, "s", 3)
+        ),
+    ));
     let model = chosen.design.model();
     let width = facts
         .iter()

@@ -10,7 +10,7 @@ use super::plot::panels::{Column, Panel, choose};
 use super::plot::{figure, scale};
 use super::recording::Recorded;
 use super::settings::Chosen;
-use super::simulate::Arguments;
+use super::simulate::{Arguments, Method};
 
 /// Angles above this, in rad, are read in degrees.
 const LARGE_ANGLE: f64 = 0.1;
@@ -100,6 +100,18 @@ impl Portrait<'_> {
         }
     }
 
+    fn adaptive_method(&self) -> &'static str {
+        let stiff = match self.outcome {
+            Ok(summary) => summary.statistics.stiff,
+            Err(_) => 0,
+        };
+        match self.arguments.method {
+            Method::Stiff => "Rodas5P",
+            Method::Auto if stiff > 0 => "Dormand–Prince 8(5,3) and Rodas5P",
+            Method::Auto | Method::Explicit => "Dormand–Prince 8(5,3)",
+        }
+    }
+
     /// How the run was made.
     fn settings(&self) -> Vec<(String, String)> {
         let seconds = |value| scale::with_unit(value, "s", 6);
@@ -107,7 +119,8 @@ impl Portrait<'_> {
         let method = match arguments.dt {
             Some(step) => format!("Runge–Kutta of order 4, steps of {}", seconds(step)),
             None => format!(
-                "Dormand–Prince 8(5,3), relative tolerance {}",
+                "{}, relative tolerance {}",
+                self.adaptive_method(),
                 scale::number(arguments.rtol, 6)
             ),
         };

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-use flexure::runtime::simulate::{BreakdownKind, Ending, Simulation, simulate};
+use clap::{Args, ValueEnum};
+use flexure::runtime::simulate::{BreakdownKind, Ending, Integrator, Simulation, simulate};
 use flexure::runtime::system::System;
 
 use super::Failure;
@@ -40,6 +40,9 @@ pub struct Arguments {
     /// Functions of one coordinate in closed form, not by tables that are made when a run starts
     #[arg(long)]
     exact: bool,
+    /// Method of the adaptive steps
+    #[arg(long, value_enum, default_value_t, conflicts_with = "dt")]
+    pub method: Method,
     /// Time between rows; 0 for a row per step of the integrator [default: 1/2000 of the run]
     #[arg(long, value_name = "DT", allow_hyphen_values = true, value_parser = non_negative_time)]
     every: Option<f64>,
@@ -52,6 +55,28 @@ pub struct Arguments {
     /// Picture of the motion (.svg), or a page with the mechanism and its equations (.html)
     #[arg(long, value_name = "OUT.svg|.html", value_parser = picture)]
     plot: Option<PathBuf>,
+}
+
+/// Method of adaptive steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// Explicit steps, stiff ones where stability would limit explicit ones
+    #[default]
+    Auto,
+    /// Dormand–Prince 8(5,3)
+    Explicit,
+    /// Rodas5P, with the model's own Jacobian
+    Stiff,
+}
+
+impl From<Method> for Integrator {
+    fn from(method: Method) -> Self {
+        match method {
+            Method::Auto => Integrator::Automatic,
+            Method::Explicit => Integrator::Explicit,
+            Method::Stiff => Integrator::Stiff,
+        }
+    }
 }
 
 const DEFAULT_ROWS: f64 = 2000.0;
@@ -143,6 +168,10 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
             if let Ending::Stopped(why) = &summary.ending {
                 terminal.note(format_args!("ended at t = {}: {why}", seconds(summary.end)));
             }
+            let statistics = summary.statistics;
+            if arguments.method == Method::Auto && statistics.stiff > 0 {
+                terminal.note(format_args!("steps: {}", statistics.steps()));
+            }
             Ok(())
         }
         Err(breakdown) => {
@@ -186,7 +215,9 @@ fn simulation<'s, S: System>(
         .energy(arguments.energy);
     simulation = match arguments.dt {
         Some(step) => simulation.dt(step),
-        None => simulation.rtol(arguments.rtol),
+        None => simulation
+            .rtol(arguments.rtol)
+            .integrator(arguments.method.into()),
     };
     if let Some(interval) = arguments.row_interval() {
         simulation = simulation.every(interval);

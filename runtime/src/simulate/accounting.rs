@@ -59,6 +59,36 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
     }
 
+    /// Derivatives of the rates, row by row. Those of powers are taken by differences: they have no
+    /// influence on the motion, and none on the accuracy of what they add up to that would show.
+    pub fn jacobian(&self, t: f64, x: &[f64], d: &[f64], jacobian: &mut [f64]) {
+        let (states, width) = (self.states, self.width());
+        let own = &mut jacobian[..states * states];
+        self.system.jacobian(t, self.own(x), d, &self.u, own);
+        if !self.accounts {
+            return;
+        }
+        for row in (0..states).rev() {
+            jacobian.copy_within(row * states..(row + 1) * states, row * width);
+            jacobian[row * width + states..(row + 1) * width].fill(0.0);
+        }
+        jacobian[states * width..].fill(0.0);
+        let mut moved = self.own(x).to_vec();
+        for column in 0..states {
+            let distance = 1e-6 * x[column].abs().max(1e-6);
+            moved[column] = x[column] + distance;
+            let above = self.system.energy(t, &moved, d, &self.u);
+            moved[column] = x[column] - distance;
+            let below = self.system.energy(t, &moved, d, &self.u);
+            moved[column] = x[column];
+            let mut put = |place: usize, above: f64, below: f64| {
+                jacobian[(states + place) * width + column] = (above - below) / (2.0 * distance);
+            };
+            put(DISSIPATED, above.dissipated_power, below.dissipated_power);
+            put(SUPPLIED, above.supplied_power, below.supplied_power);
+        }
+    }
+
     /// The system's own part of what is integrated.
     pub fn own<'x>(&self, x: &'x [f64]) -> &'x [f64] {
         &x[..self.states]

@@ -15,16 +15,37 @@ pub(super) struct DormandPrince {
     k: [Vec<f64>; 16],
     /// State at a stage.
     stage: Vec<f64>,
+    /// State at stage 12.
+    twelfth: Vec<f64>,
     /// Coefficients of each quantity's dense output, from the first order on.
     dense: Vec<[f64; 7]>,
 }
 
 impl DormandPrince {
+    /// Order of a step's error estimate in its length.
+    pub const ORDER: f64 = 8.0;
+
     pub fn new(width: usize) -> Self {
         Self {
             k: std::array::from_fn(|_| vec![0.0; width]),
             stage: vec![0.0; width],
+            twelfth: vec![0.0; width],
             dense: vec![[0.0; 7]; width],
+        }
+    }
+
+    /// The last step times the largest eigenvalue of the Jacobian, roughly: the change of the rates
+    /// from stage 12 to the end of the step, at the same time, over that of the state.
+    pub fn stretch(&self, step: &Step<'_>, allowed: &[f64]) -> f64 {
+        let (mut rates, mut state) = (0.0, 0.0);
+        for (i, allowed) in allowed.iter().enumerate() {
+            rates += ((step.f_end[i] - self.k[11][i]) / allowed).powi(2);
+            state += ((step.x_end[i] - self.twelfth[i]) / allowed).powi(2);
+        }
+        if state > 0.0 {
+            step.h * (rates / state).sqrt()
+        } else {
+            0.0
         }
     }
 }
@@ -101,6 +122,10 @@ pub(super) fn polynomial(coefficients: &[f64; 7], fraction: f64) -> f64 {
 impl Method for DormandPrince {
     const LOOKS: &'static [f64] = &[0.25, 0.5, 0.75, 1.0];
 
+    fn order(&self) -> f64 {
+        Self::ORDER
+    }
+
     #[inline]
     fn step<S: System + ?Sized>(
         &mut self,
@@ -112,7 +137,9 @@ impl Method for DormandPrince {
         d: &[f64],
         x_end: &mut [f64],
     ) {
-        let Self { k, stage, .. } = self;
+        let Self {
+            k, stage, twelfth, ..
+        } = self;
         k[0].copy_from_slice(f);
         macro_rules! stages {
             ($($position:literal: $row:ident),+) => {$(
@@ -120,7 +147,9 @@ impl Method for DormandPrince {
                 flow.rates(t + TIMES[$position - 1] * h, stage, d, &mut k[$position - 1]);
             )+};
         }
-        stages!(2: A2, 3: A3, 4: A4, 5: A5, 6: A6, 7: A7, 8: A8, 9: A9, 10: A10, 11: A11, 12: A12);
+        stages!(2: A2, 3: A3, 4: A4, 5: A5, 6: A6, 7: A7, 8: A8, 9: A9, 10: A10, 11: A11);
+        advance(&stage::A12, k, h, x, twelfth);
+        flow.rates(t + TIMES[11] * h, twelfth, d, &mut k[11]);
         advance(&WEIGHTS, k, h, x, x_end);
     }
 
@@ -129,7 +158,9 @@ impl Method for DormandPrince {
     }
 
     fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>) {
-        let Self { k, stage, dense } = self;
+        let Self {
+            k, stage, dense, ..
+        } = self;
         k[12].copy_from_slice(step.f_end);
         macro_rules! stages {
             ($($position:literal: $row:ident),+) => {$(

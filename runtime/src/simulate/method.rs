@@ -28,6 +28,20 @@ pub(super) trait Method {
     /// Where, within a step, event functions are looked at, as fractions of the step; ends in 1.
     const LOOKS: &'static [f64];
 
+    /// The order of the estimated error in the step.
+    fn order(&self) -> f64;
+
+    /// Whether its steps are those of the stiff method.
+    fn is_stiff(&self) -> bool {
+        false
+    }
+
+    /// Takes note of a step that counts, with the errors that were allowed in it. Where the next
+    /// one is another method's: the length to begin with.
+    fn accepted(&mut self, _step: &Step<'_>, _allowed: &[f64]) -> Option<f64> {
+        None
+    }
+
     /// Steps from `x` with rates `f` at `t` by `h`, to `x_end`.
     #[allow(clippy::too_many_arguments)]
     fn step<S: System + ?Sized>(

@@ -54,6 +54,8 @@ pub struct Statistics {
     /// Steps among them that ended outside of the interval of a table, where the right-hand side
     /// evaluates the closed form: none if there are no tables.
     pub outside_tables: u64,
+    /// Those among them that the stiff method took.
+    pub stiff: u64,
     /// Steps tried in vain: too inaccurate, a body turned too far, a loop that could not close.
     pub rejected: u64,
     /// Evaluations of the right-hand side.
@@ -71,6 +73,22 @@ pub struct EventRecord {
     pub time: f64,
     /// Its position among the system's events.
     pub index: usize,
+}
+
+impl Statistics {
+    /// How adaptive steps were taken, and why so.
+    pub fn steps(&self) -> String {
+        let Self {
+            accepted, stiff, ..
+        } = self;
+        match stiff {
+            0 => format!("{accepted} explicit: stability did not limit them"),
+            _ if stiff == accepted => format!("{accepted} stiff"),
+            _ => format!(
+                "{accepted}, {stiff} of them stiff: stability would have limited explicit ones"
+            ),
+        }
+    }
 }
 
 impl Run {

@@ -27,6 +27,10 @@ impl RungeKutta {
 impl Method for RungeKutta {
     const LOOKS: &'static [f64] = &[0.5, 1.0];
 
+    fn order(&self) -> f64 {
+        4.0
+    }
+
     #[inline]
     fn step<S: System + ?Sized>(
         &mut self,

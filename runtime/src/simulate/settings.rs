@@ -12,12 +12,26 @@ const MOST_ROWS: f64 = 1e7;
 pub(super) struct Settings {
     pub until: f64,
     pub accuracy: Accuracy,
+    pub integrator: Integrator,
     pub absolute: Vec<(String, f64)>,
     pub longest_step: f64,
     pub most_steps: u64,
     pub every: Option<f64>,
     pub energy: bool,
     pub inputs: Vec<(usize, f64)>,
+}
+
+/// Which method takes adaptive steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// The explicit one, and the stiff one where stability would limit explicit steps and stiff
+    /// ones get on faster.
+    #[default]
+    Automatic,
+    /// Dormand and Prince's 8(5,3).
+    Explicit,
+    /// Rodas5P, with the exact Jacobian.
+    Stiff,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +47,7 @@ impl Default for Settings {
         Self {
             until: 0.0,
             accuracy: Accuracy::Relative(1e-8),
+            integrator: Integrator::Automatic,
             absolute: Vec::new(),
             longest_step: f64::INFINITY,
             most_steps: 100_000_000,

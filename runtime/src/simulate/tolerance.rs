@@ -12,8 +12,6 @@ const LARGEST_CUT: f64 = 0.2;
 const SAFETY: f64 = 0.9;
 /// Exponent of the error of the step before, in proportional–integral control.
 const MEMORY: f64 = 0.02;
-/// One over the order of the error estimate in the step.
-const EXPONENT: f64 = 1.0 / 8.0;
 
 /// Proportional–integral step control with scales that follow the motion.
 pub(super) struct StepControl {
@@ -105,20 +103,27 @@ impl StepControl {
         &self.allowed
     }
 
-    /// The next step's length after one of length `h` whose error was acceptable.
-    pub fn accepted(&mut self, h: f64, error: f64, x_end: &[f64]) {
+    /// The errors that were allowed in the step that was judged last.
+    pub fn judged_by(&self) -> &[f64] {
+        &self.allowed
+    }
+
+    /// The next step's length after one of length `h` whose error, of `order` in the step, was
+    /// acceptable.
+    pub fn accepted(&mut self, h: f64, error: f64, order: f64, x_end: &[f64]) {
         for (state, &x) in self.states.iter_mut().zip(x_end) {
             state.excursion = state.excursion_at(state.start, state.excursion, x);
         }
         let most = growth_limit(if self.was_rejected { 1.0 } else { -1.0 });
-        self.wanted = length_after(h, error, self.last_error, most, self.wanted, self.longest);
+        let last = self.last_error;
+        self.wanted = length_after(h, [error, last], order, most, self.wanted, self.longest);
         self.last_error = remembered(error);
         self.was_rejected = false;
     }
 
-    /// After a step of length `h` whose error was too large.
-    pub fn too_inaccurate(&mut self, h: f64, error: f64) {
-        self.cut(h, share_of_rejected(error));
+    /// After a step of length `h` whose error, of `order` in the step, was too large.
+    pub fn too_inaccurate(&mut self, h: f64, error: f64, order: f64) {
+        self.cut(h, share_of_rejected(error, order));
     }
 
     /// After a step of length `h` that cannot be taken at all.
@@ -140,17 +145,18 @@ pub(super) fn growth_limit<T: Real>(was_rejected: T) -> T {
     was_rejected.if_positive(T::from_f64(1.0), T::from_f64(LARGEST_GROWTH))
 }
 
-/// The length wanted after an accepted step of length `h`.
+/// The length wanted after an accepted step of length `h` whose error and that of the step before
+/// are of `order` in the step.
 #[inline(always)]
 pub(super) fn length_after<T: Real>(
     h: T,
-    error: T,
-    last_error: T,
+    [error, last_error]: [T; 2],
+    order: f64,
     most: T,
     wanted: T,
     longest: T,
 ) -> T {
-    let proportional = error.power(T::from_f64(-(EXPONENT - 0.2 * MEMORY)));
+    let proportional = error.power(T::from_f64(-(order.recip() - 0.2 * MEMORY)));
     let growth = proportional * SAFETY * last_error.power(T::from_f64(MEMORY));
     let grown = h * growth.larger(T::from_f64(LARGEST_CUT)).smaller(most);
     // A step cut short by a break says little about what is possible behind it.
@@ -165,10 +171,10 @@ pub(super) fn remembered<T: Real>(error: T) -> T {
     error.larger(T::from_f64(1e-4))
 }
 
-/// The share of a step whose error was too large that is tried next.
+/// The share of a step whose error, of `order` in the step, was too large that is tried next.
 #[inline(always)]
-pub(super) fn share_of_rejected<T: Real>(error: T) -> T {
-    let share = error.power(T::from_f64(-EXPONENT)) * SAFETY;
+pub(super) fn share_of_rejected<T: Real>(error: T, order: f64) -> T {
+    let share = error.power(T::from_f64(-order.recip())) * SAFETY;
     share
         .larger(T::from_f64(LARGEST_CUT))
         .smaller(T::from_f64(0.9))

@@ -314,7 +314,9 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             }
         };
         match rejection {
-            Rejection::TooInaccurate(error) => control.too_inaccurate(trial.h, *error),
+            Rejection::TooInaccurate(error) => {
+                control.too_inaccurate(trial.h, *error, self.method.order());
+            }
             Rejection::NotFinite => control.cut(trial.h, 0.25),
             Rejection::Turned(_) => control.cut(trial.h, 0.5),
         }
@@ -390,8 +392,13 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             .system
             .is_outside_tables(self.flow.own(&self.x_end));
         self.summary.statistics.outside_tables += u64::from(is_outside);
+        self.summary.statistics.stiff += u64::from(self.method.is_stiff());
         if let Pace::Adaptive(control) = &mut self.pace {
-            control.accepted(taken.h, error, self.flow.own(&self.x_end));
+            let order = self.method.order();
+            control.accepted(taken.h, error, order, self.flow.own(&self.x_end));
+            if let Some(longest) = self.method.accepted(&step, control.judged_by()) {
+                control.restart(longest);
+            }
         }
         self.t = taken.end;
         std::mem::swap(&mut self.x, &mut self.x_end);

@@ -134,8 +134,22 @@ impl System for FnSystem {
     fn rhs(&self, t: f64, x: &[f64], d: &[f64], _: &[f64], dx: &mut [f64]) {
         (self.rates)(t, x, d, dx);
     }
-    fn jacobian(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], jacobian: &mut [f64]) {
-        jacobian.fill(f64::NAN);
+    /// By differences of fourth order.
+    fn jacobian(&self, t: f64, x: &[f64], d: &[f64], _: &[f64], jacobian: &mut [f64]) {
+        let n = x.len();
+        jacobian.fill(0.0);
+        for column in 0..n {
+            let distance = 1e-3 * x[column].abs().max(1e-3);
+            for (steps, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
+                let mut moved = x.to_vec();
+                moved[column] += steps * distance;
+                let mut rates = vec![0.0; n];
+                (self.rates)(t, &moved, d, &mut rates);
+                for row in 0..n {
+                    jacobian[row * n + column] += weight * rates[row] / (12.0 * distance);
+                }
+            }
+        }
     }
     fn outputs(&self, _: f64, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn energy(&self, t: f64, x: &[f64], d: &[f64], _: &[f64]) -> Energy {

@@ -126,7 +126,7 @@ impl<L: Lanes> OwnSteps<L> {
         } else {
             no
         };
-        let shorter = step.h * share_of_rejected(error);
+        let shorter = step.h * share_of_rejected(error, DormandPrince::ORDER);
         let room = shorter - shortest_step(block.t, self.until);
         let room = block.finite_end().if_positive(room, no);
         self.margin = good.if_positive(plain, bad.if_positive(room, no));
@@ -135,7 +135,14 @@ impl<L: Lanes> OwnSteps<L> {
 
         let most = growth_limit(self.was_rejected);
         let longest = L::from_f64(self.longest);
-        let longer = length_after(step.h, error, self.last_error, most, self.wanted, longest);
+        let longer = length_after(
+            step.h,
+            [error, self.last_error],
+            DormandPrince::ORDER,
+            most,
+            self.wanted,
+            longest,
+        );
         self.wanted = accepted.if_positive(longer, rejected.if_positive(shorter, self.wanted));
         self.last_error = accepted.if_positive(remembered(error), self.last_error);
         self.was_rejected = accepted.if_positive(
