@@ -9,11 +9,14 @@ use crate::schedule::order;
 use crate::values::{Node, Stage, Value};
 
 /// The values that the right-hand side needs, in a box for each stage, with an arrow from each
-/// operand to what is made of it.
+/// operand to what is made of it; a dashed one from a closed form to its entry in a table.
 pub fn dot(program: &Program) -> String {
     let values = &program.values;
     let described = Described::new(program);
-    let computed = order(values, program.rhs.roots(), |_| true);
+    let tabulated = program.configurations.iter();
+    let closed_forms = tabulated.clone().flat_map(|c| c.functions.roots());
+    let roots = closed_forms.clone().chain(program.rhs.roots());
+    let computed = order(values, roots, |_| true);
     let mut all: BTreeSet<Value> = computed.iter().copied().collect();
     all.extend(computed.iter().flat_map(|value| values.operands(*value)));
     all.extend(program.rhs.roots());
@@ -46,6 +49,11 @@ pub fn dot(program: &Program) -> String {
             }
         }
     }
+    let leaves = tabulated.flat_map(|c| c.leaves.iter().copied());
+    for (closed_form, leaf) in closed_forms.zip(leaves) {
+        let (from, to) = (closed_form.index(), leaf.index());
+        let _ = writeln!(text, "  v{from} -> v{to} [style=dashed]");
+    }
     for (position, value) in &program.rhs.results {
         let row = program.states.get(*position as usize);
         let name = row.map_or("", |row| row.name.as_ref());
@@ -77,6 +85,7 @@ fn label(program: &Program, described: &Described, value: Value) -> String {
             Some(format!("{}{}", operation.name(), numbers.concat()))
         }
         Node::Lookup(table, _) => Some(format!("table {}", table + 1)),
+        Node::Tabulated(_) => Some("tabulated".to_owned()),
         _ => None,
     };
     match (name, operation) {

@@ -66,6 +66,11 @@ pub fn skeleton(
                 number: T,
             }
 
+            impl Prepared<f64> {
+                /// The same.
+                pub fn exact(self) -> Self { self }
+            }
+
             /// Every quantity with a name.
             pub static VARIABLES: [Variable; 0] = [];
             /// The equations of motion in plain text.

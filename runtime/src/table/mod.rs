@@ -20,8 +20,9 @@ use crate::real::Real;
 
 /// Largest degree of a table: where more is needed, the interval is made narrower.
 pub const LARGEST_DEGREE: usize = 12;
-/// Coefficients of an even and the next odd power stand together.
-const PAIRS: usize = LARGEST_DEGREE / 2 + 1;
+/// Coefficients of so many powers stand together.
+const GROUP: usize = 4;
+const GROUPS: usize = LARGEST_DEGREE / GROUP + 1;
 
 /// `N` functions of one coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -34,8 +35,8 @@ pub struct Table<T, const N: usize> {
     degree: usize,
     /// Whether an interval was looked for.
     is_fitted: bool,
-    /// Of the powers 2i and 2i + 1 of (q - center) / half_width, at i.
-    coefficients: [[[T; N]; 2]; PAIRS],
+    /// Of the power 4i + j of (q - center) / half_width at (i, j).
+    coefficients: [[[T; N]; GROUP]; GROUPS],
 }
 
 /// What a prepared model says of a table.
@@ -67,7 +68,7 @@ impl<const N: usize> Table<f64, N> {
             error: 0.0,
             degree: 0,
             is_fitted: false,
-            coefficients: [[[0.0; N]; 2]; PAIRS],
+            coefficients: [[[0.0; N]; GROUP]; GROUPS],
         }
     }
 
@@ -82,7 +83,7 @@ impl<const N: usize> Table<f64, N> {
             table.error = fit.error;
             table.degree = fit.degree;
             for (power, row) in fit.coefficients.iter().enumerate() {
-                let to = &mut table.coefficients[power / 2][power % 2];
+                let to = &mut table.coefficients[power / GROUP][power % GROUP];
                 for (to, from) in to.iter_mut().zip(row.iter().skip(first)) {
                     *to = *from;
                 }
@@ -127,7 +128,9 @@ impl<T: Copy, const N: usize> Table<T, N> {
             error: turn(self.error),
             degree: self.degree,
             is_fitted: self.is_fitted,
-            coefficients: self.coefficients.map(|pair| pair.map(|row| row.map(&turn))),
+            coefficients: self
+                .coefficients
+                .map(|group| group.map(|row| row.map(&turn))),
         }
     }
 
@@ -142,9 +145,9 @@ impl<T: Copy, const N: usize> Table<T, N> {
             degree: self.degree.max(other.degree),
             is_fitted: self.is_fitted || other.is_fitted,
             coefficients: std::array::from_fn(|i| {
-                std::array::from_fn(|odd| {
+                std::array::from_fn(|j| {
                     std::array::from_fn(|k| {
-                        join(self.coefficients[i][odd][k], other.coefficients[i][odd][k])
+                        join(self.coefficients[i][j][k], other.coefficients[i][j][k])
                     })
                 })
             }),
@@ -175,23 +178,37 @@ impl<T: Real, const N: usize> Table<T, N> {
         self.half_width - (coordinate - self.center).abs()
     }
 
-    /// The polynomials: powers of the square, even and odd ones side by side, which takes half the
-    /// time of one chain after the other.
+    /// The polynomials, whether or not the coordinate is inside.
     #[inline(always)]
     pub fn polynomials(&self, coordinate: T) -> [T; N] {
         let s = (coordinate - self.center) * self.per_half_width;
+        // Straight code for each number of groups: a loop would take the functions out of their
+        // vectors and put them back at every turn. Coefficients beyond the degree are zero.
+        match self.degree / GROUP {
+            0 | 1 => self.up_to::<1>(s),
+            2 => self.up_to::<2>(s),
+            _ => self.up_to::<{ GROUPS - 1 }>(s),
+        }
+    }
+
+    /// Groups of powers side by side (Estrin's scheme), which takes half the time of one power after
+    /// the other.
+    #[inline(always)]
+    fn up_to<const LAST: usize>(&self, s: T) -> [T; N] {
         let square = s * s;
-        let last = (self.degree / 2).min(PAIRS - 1);
-        let [mut even, mut odd] = self.coefficients[last];
-        for [next_even, next_odd] in self.coefficients[..last].iter().rev() {
-            for k in 0..N {
-                even[k] = even[k].times_plus(square, next_even[k]);
-                odd[k] = odd[k].times_plus(square, next_odd[k]);
-            }
+        let fourth = square * square;
+        let group = |i: usize| -> [T; N] {
+            let c = &self.coefficients[i];
+            std::array::from_fn(|k| {
+                let low = c[1][k].times_plus(s, c[0][k]);
+                c[3][k].times_plus(s, c[2][k]).times_plus(square, low)
+            })
+        };
+        let mut sums = group(LAST);
+        for i in (0..LAST).rev() {
+            let next = group(i);
+            sums = std::array::from_fn(|k| sums[k].times_plus(fourth, next[k]));
         }
-        for k in 0..N {
-            even[k] = odd[k].times_plus(s, even[k]);
-        }
-        even
+        sums
     }
 }
