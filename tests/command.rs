@@ -247,6 +247,33 @@ fn fixed_steps_rows_per_step_and_energies() {
 }
 
 #[test]
+fn methods_agree_and_the_choice_is_told() {
+    let here = folder("methods");
+    let actuator = model("double_rocker");
+    let run = |method: &str| {
+        let call = ["simulate", &actuator, "--until", "2ms"];
+        let low = ["--set", "Fp=0.2N", "--rtol", "1e-9", "--method", method];
+        flexure(&here, &[&call[..], &low].concat()).is(0)
+    };
+    let position = |answer: &Answer| {
+        let (names, rows) = table(&answer.out);
+        let column = names.iter().position(|n| n == "stage.x").unwrap();
+        rows.last().unwrap()[column]
+    };
+    let [explicit, stiff] = ["explicit", "stiff"].map(|method| position(&run(method)));
+    let told = "of them stiff: stability would have limited explicit ones";
+    let chosen = position(&run("auto").says(&[told]));
+    assert!((explicit - stiff).abs() < 1e-6 * explicit.abs());
+    assert!((explicit - chosen).abs() < 1e-6 * explicit.abs());
+    let checked = |more: &[&str]| {
+        let call = ["check", &actuator];
+        flexure(&here, &[&call[..], more].concat()).is(0).out
+    };
+    assert!(checked(&["--set", "Fp=0.2N"]).contains(told));
+    assert!(checked(&[]).contains("explicit: stability did not limit them"));
+}
+
+#[test]
 fn params_sets_and_inputs_carry_units() {
     let here = with_oscillator("settings");
     let last_x = |arguments: &[&str]| {
@@ -290,6 +317,11 @@ fn wrong_settings_are_wrong_calls() {
     wrong(&["--use", "hard"], &["no parameter set `hard`", "`soft`"]);
     wrong(&["--rtol", "2"], &["1e-13 to 0.1"]);
     wrong(&["--rtol", "1e-6", "--dt", "1us"], &["cannot be used with"]);
+    wrong(
+        &["--method", "stiff", "--dt", "1us"],
+        &["cannot be used with"],
+    );
+    wrong(&["--method", "implicit"], &["auto, explicit, stiff"]);
     wrong(&["--dt", "0s"], &["above zero"]);
     wrong(&["--every", "-1s"], &["above zero"]);
     wrong(&["--every", "1e-15s"], &["rows"]);

@@ -3,7 +3,7 @@
 
 mod support;
 
-use flexure_runtime::simulate::{Ending, simulate};
+use flexure_runtime::simulate::{Ending, Integrator, simulate};
 use support::{compile, shipped_text, tape};
 
 /// Relative tolerance of the runs.
@@ -37,6 +37,29 @@ fn state_at_25_seconds() {
     assert_within("z(25 s)", last(&names.bristle), 1.18167954559e-5, 1.2e-15);
     // The largest velocity within the samples of half a millisecond.
     assert_within("v_max", run.column(&names.velocity).max(), 0.369816, 1e-6);
+}
+
+/// Both methods, and the automatic choice between them, at a common tolerance.
+#[test]
+fn stiff_and_explicit_steps_lead_to_the_same_state() {
+    let compiled = support::shipped("lugre_mass");
+    let system = tape(&compiled, &[]);
+    let names = names(&compiled);
+    let mut evaluations = Vec::new();
+    for integrator in [
+        Integrator::Explicit,
+        Integrator::Stiff,
+        Integrator::Automatic,
+    ] {
+        let simulation = simulate(&system).until(25.0).rtol(1e-9).every(25.0);
+        let run = simulation.integrator(integrator).run().unwrap();
+        let last = |name: &str| run.column(name).last();
+        assert_within("x(25 s)", last(&names.position), 1.90883919922548, 2e-8);
+        assert_within("z(25 s)", last(&names.bristle), 1.18167954559e-5, 1e-12);
+        evaluations.push(run.statistics().evaluations);
+    }
+    println!("evaluations: {evaluations:?}");
+    assert!(evaluations[2] < evaluations[0] / 2);
 }
 
 /// The times at which the mass begins to slip, located as events that end a run.

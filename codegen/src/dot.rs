@@ -14,8 +14,11 @@ pub fn dot(program: &Program) -> String {
     let values = &program.values;
     let described = Described::new(program);
     let tabulated = program.configurations.iter();
-    let closed_forms = tabulated.clone().flat_map(|c| c.functions.roots());
-    let roots = closed_forms.clone().chain(program.rhs.roots());
+    let closed_forms: Vec<Value> = tabulated
+        .clone()
+        .flat_map(|configuration| configuration.functions.roots())
+        .collect();
+    let roots = closed_forms.iter().copied().chain(program.rhs.roots());
     let computed = order(values, roots, |_| true);
     let mut all: BTreeSet<Value> = computed.iter().copied().collect();
     all.extend(computed.iter().flat_map(|value| values.operands(*value)));
@@ -50,7 +53,7 @@ pub fn dot(program: &Program) -> String {
         }
     }
     let leaves = tabulated.flat_map(|c| c.leaves.iter().copied());
-    for (closed_form, leaf) in closed_forms.zip(leaves) {
+    for (closed_form, leaf) in closed_forms.into_iter().zip(leaves) {
         let (from, to) = (closed_form.index(), leaf.index());
         let _ = writeln!(text, "  v{from} -> v{to} [style=dashed]");
     }
