@@ -5,9 +5,8 @@
  * SETTING is the step in s of rk4 or the tolerance of dop853; FROM and UNTIL are times in s, or in
  * periods of the drive if UNIT is `cycles`; PERTURBATION in rad is added to the crank's angle at the start.
  * Every line of PARAMS is a parameter set. First line of the output: seconds for all runs (preparing
- * them included), evaluations of the right-hand side, the largest angle from the closed configuration
- * that the series were good for (0 for libm). Then a line for each run: position of the stage at
- * FROM, and the state at UNTIL.
+ * them included), evaluations of the right-hand side, the process's largest memory in bytes. Then a
+ * line for each run: position of the stage at FROM, and the state at UNTIL.
  *
  * Between two kinks of the drive rk4 takes the fewest equal steps that are no longer than its step.
  * With LANES above 1 (rk4 alone), LANES runs go side by side, each with steps of its own, and one
@@ -15,6 +14,7 @@
 
 #define _GNU_SOURCE
 #include <pthread.h>
+#include <sys/resource.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -292,8 +292,10 @@ int main(int argc, char **argv)
         fprintf(stderr, "a run failed, or left the range of the series\n");
         return 1;
     }
-    printf("%.9f %ld\n", after.tv_sec - before.tv_sec + 1e-9 * (after.tv_nsec - before.tv_nsec),
-           (long)evaluations);
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    printf("%.9f %ld %ld\n", after.tv_sec - before.tv_sec + 1e-9 * (after.tv_nsec - before.tv_nsec),
+           (long)evaluations, usage.ru_maxrss * 1024);
     for (int i = 0; i < count; i++) {
         printf("%.17g", results[i].from_position);
         for (int j = 0; j < STATES; j++)
