@@ -45,10 +45,11 @@ impl Baseline {
         let compile_seconds = (0..5)
             .map(|_| {
                 let start = Instant::now();
-                Program::build("double_rocker", "libm", &[])
-                    .map(|_| start.elapsed().as_secs_f64())
+                Program::build("double_rocker", "libm", &[]).map(|_| start.elapsed().as_secs_f64())
             })
-            .try_fold(f64::INFINITY, |least, seconds| seconds.map(|s| s.min(least)))?;
+            .try_fold(f64::INFINITY, |least, seconds| {
+                seconds.map(|s| s.min(least))
+            })?;
         let lanes = [4, 8, 16]
             .into_iter()
             .map(|lanes| {

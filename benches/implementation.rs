@@ -84,18 +84,22 @@ pub fn all(c: Option<&Baseline>) -> Vec<Implementation> {
     all.push(Implementation::new(
         "flexure compiled simulate",
         Has::Both,
-        |study| shared_out(study, &|design| {
-            let model = design.prepare().map_err(|why| why.message)?;
-            simulated(&model, study, design)
-        }),
+        |study| {
+            shared_out(study, &|design| {
+                let model = design.prepare().map_err(|why| why.message)?;
+                simulated(&model, study, design)
+            })
+        },
     ));
     all.push(Implementation::new(
         "flexure compiled rhs",
         Has::Equal,
-        |study| shared_out(study, &|design| {
-            let model = design.prepare().map_err(|why| why.message)?;
-            Ok(bare(&model, study, design))
-        }),
+        |study| {
+            shared_out(study, &|design| {
+                let model = design.prepare().map_err(|why| why.message)?;
+                Ok(bare(&model, study, design))
+            })
+        },
     ));
     all.push(Implementation::new(
         "flexure tape simulate",
@@ -181,7 +185,11 @@ fn simulated<S: System + ?Sized>(
     let position = run.column("stage.x");
     let summary = run.summary();
     let end = End {
-        from: if from > 0.0 { position.values()[1] } else { 0.0 },
+        from: if from > 0.0 {
+            position.values()[1]
+        } else {
+            0.0
+        },
         state: summary.state[..]
             .try_into()
             .map_err(|_| "the model has other states")?,

@@ -53,6 +53,17 @@ impl Study {
     }
 }
 
+/// The state at the start of every run: the crank at 80°, all else zero.
+pub const START: [f64; 7] = [
+    80.0 / 180.0 * std::f64::consts::PI,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+];
+
 /// What a run ends with.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct End {
@@ -85,17 +96,24 @@ pub struct Outcome {
     pub ends: Vec<End>,
 }
 
-/// The largest relative difference of any state at the end of any run.
-pub fn difference(a: &[End], b: &[End]) -> f64 {
-    if a.len() != b.len() {
+/// The largest difference of any state at the end of any run, of the largest that this state is at the
+/// end of any run: rates of single runs may be next to zero where they end. Angles are counted
+/// from `start`.
+pub fn difference(found: &[End], expected: &[End], start: [f64; 7]) -> f64 {
+    if found.len() != expected.len() {
         return f64::INFINITY;
     }
-    let states = |ends: &[End]| -> Vec<f64> { ends.iter().flat_map(|end| end.state).collect() };
-    states(a)
-        .into_iter()
-        .zip(states(b))
-        .map(|(a, b)| relative(a, b))
-        .fold(0.0, larger)
+    let mut worst = 0.0;
+    for (i, start) in start.into_iter().enumerate() {
+        let size = expected
+            .iter()
+            .map(|end| (end.state[i] - start).abs())
+            .fold(0.0, larger);
+        for (found, expected) in found.iter().zip(expected) {
+            worst = larger(worst, (found.state[i] - expected.state[i]).abs() / size);
+        }
+    }
+    worst
 }
 
 /// |a - b| over the larger of both; zero if both are.

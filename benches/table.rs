@@ -55,7 +55,9 @@ impl Table {
         let path = target().join("benchmarks.csv");
         let mut text = String::from("workload,implementation,cores,seconds,ratio\n");
         for row in self.rows() {
-            let ratio = row.ratio.map_or(String::new(), |ratio| format!("{ratio:.4}"));
+            let ratio = row
+                .ratio
+                .map_or(String::new(), |ratio| format!("{ratio:.4}"));
             let implementation = quoted(&row.implementation);
             let workload = quoted(&row.workload);
             text.push_str(&format!(
@@ -89,7 +91,9 @@ impl fmt::Display for Table {
         for line in &self.lines {
             match line {
                 Line::Row(row) => {
-                    let ratio = row.ratio.map_or("—".to_owned(), |ratio| format!("{ratio:.3}"));
+                    let ratio = row
+                        .ratio
+                        .map_or("—".to_owned(), |ratio| format!("{ratio:.3}"));
                     writeln!(
                         f,
                         "{:first$}  {:second$}  {:5}  {:11.6}  {ratio:>7}  {}",
