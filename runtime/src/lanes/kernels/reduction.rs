@@ -30,15 +30,23 @@ pub(super) fn reduce<V: Vector>(x: V) -> Reduced<V> {
     } else {
         in_short_parts(x, minus_n)
     };
-    let reduced = Reduced {
-        angle,
-        rest,
-        quarters,
-    };
     if V::all(x.less(V::from_f64(LARGEST))) {
-        reduced
+        Reduced {
+            angle,
+            rest,
+            quarters,
+        }
     } else {
-        beyond(x, reduced)
+        let Reduced {
+            angle,
+            rest,
+            quarters,
+        } = beyond(x, angle, rest, quarters);
+        Reduced {
+            angle,
+            rest,
+            quarters,
+        }
     }
 }
 
@@ -80,18 +88,19 @@ fn sum<V: Vector>(a: V, b: V) -> (V, V) {
     (sum, (a - (sum - b_in_it)) + (b - b_in_it))
 }
 
-/// Replaces the entries that are too large for either method.
+/// Replaces the entries that are too large for either method. (Arguments are single numbers, which
+/// stay in registers where this is not called.)
 #[cold]
 #[inline(never)]
-fn beyond<V: Vector>(x: V, reduced: Reduced<V>) -> Reduced<V> {
+fn beyond<V: Vector>(x: V, angle: V, rest: V, quarters: V) -> Reduced<V> {
     let entry = |i: usize| {
         let x = x.entry(i);
         (x >= LARGEST || x.is_nan()).then(|| reduce_large(x))
     };
     Reduced {
-        angle: replaced(reduced.angle, |i| entry(i).map(|r| r.angle)),
-        rest: replaced(reduced.rest, |i| entry(i).map(|r| r.rest)),
-        quarters: replaced(reduced.quarters, |i| entry(i).map(|r| r.quarters)),
+        angle: replaced(angle, |i| entry(i).map(|r| r.angle)),
+        rest: replaced(rest, |i| entry(i).map(|r| r.rest)),
+        quarters: replaced(quarters, |i| entry(i).map(|r| r.quarters)),
     }
 }
 
