@@ -13,12 +13,13 @@ use crate::values::{Node, Stage, Value};
 pub fn dot(program: &Program) -> String {
     let values = &program.values;
     let described = Described::new(program);
-    let tabulated = program.configurations.iter();
-    let closed_forms: Vec<Value> = tabulated
-        .clone()
-        .flat_map(|configuration| configuration.functions.roots())
+    let tabulated: Vec<(Value, Value)> = program
+        .configurations
+        .iter()
+        .flat_map(|c| c.functions.roots().zip(c.leaves.iter().copied()))
         .collect();
-    let roots = closed_forms.iter().copied().chain(program.rhs.roots());
+    let closed_forms = tabulated.iter().map(|(closed_form, _)| *closed_form);
+    let roots = closed_forms.chain(program.rhs.roots());
     let computed = order(values, roots, |_| true);
     let mut all: BTreeSet<Value> = computed.iter().copied().collect();
     all.extend(computed.iter().flat_map(|value| values.operands(*value)));
@@ -52,8 +53,7 @@ pub fn dot(program: &Program) -> String {
             }
         }
     }
-    let leaves = tabulated.flat_map(|c| c.leaves.iter().copied());
-    for (closed_form, leaf) in closed_forms.into_iter().zip(leaves) {
+    for (closed_form, leaf) in tabulated {
         let (from, to) = (closed_form.index(), leaf.index());
         let _ = writeln!(text, "  v{from} -> v{to} [style=dashed]");
     }
