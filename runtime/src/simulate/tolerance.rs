@@ -156,8 +156,9 @@ pub(super) fn length_after<T: Real>(
     wanted: T,
     longest: T,
 ) -> T {
-    let proportional = error.power(T::from_f64(-(order.recip() - 0.2 * MEMORY)));
-    let growth = proportional * SAFETY * last_error.power(T::from_f64(MEMORY));
+    // Products of powers, by logarithms: of an error of zero as well.
+    let memory = last_error.ln() * MEMORY;
+    let growth = (memory - error.ln() * (order.recip() - 0.2 * MEMORY)).exp() * SAFETY;
     let grown = h * growth.larger(T::from_f64(LARGEST_CUT)).smaller(most);
     // A step cut short by a break says little about what is possible behind it.
     (wanted * 0.99 - h)
@@ -174,7 +175,7 @@ pub(super) fn remembered<T: Real>(error: T) -> T {
 /// The share of a step whose error, of `order` in the step, was too large that is tried next.
 #[inline(always)]
 pub(super) fn share_of_rejected<T: Real>(error: T, order: f64) -> T {
-    let share = error.power(T::from_f64(-order.recip())) * SAFETY;
+    let share = (error.ln() * -order.recip()).exp() * SAFETY;
     share
         .larger(T::from_f64(LARGEST_CUT))
         .smaller(T::from_f64(0.9))
