@@ -3,7 +3,6 @@
 use clap::Args;
 use flexure::runtime::simulate::simulate;
 
-use super::plot::scale;
 use super::settings::Settings;
 use super::terminal::Terminal;
 use super::{Failure, print};
@@ -35,14 +34,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     let mut facts = assembled.facts();
     let system = chosen.design.prepare().map_err(Failure::model)?;
     let probe = simulate(&system).until(PROBE_TIME).probe(PROBE_STEPS);
-    facts.push((
-        "first steps".to_owned(),
-        format!(
-            "{}, to {}",
-            probe.statistics.steps(),
-            scale::with_unit(probe.end, "s", 3)
-        ),
-    ));
+    facts.push(("first steps".to_owned(), probe.statistics.steps()));
     let model = chosen.design.model();
     let width = facts
         .iter()

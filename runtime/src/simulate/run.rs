@@ -82,8 +82,8 @@ impl Statistics {
             accepted, stiff, ..
         } = self;
         match stiff {
-            0 => format!("{accepted} explicit: stability did not limit them"),
-            _ if stiff == accepted => format!("{accepted} stiff"),
+            0 => "explicit: stability did not limit them".to_owned(),
+            _ if stiff == accepted => "stiff".to_owned(),
             _ => format!(
                 "{accepted}, {stiff} of them stiff: stability would have limited explicit ones"
             ),
