@@ -182,6 +182,8 @@ def scipy_ivp(method, rtol):
         return np.array(rates(x[0], x[1], x[2], x[3], x[4], x[5], x[6], xp + rate * (t - begin), rate))
 
     scale = np.array([1e-3, 10.0, 1e-5, 0.1, 1e-5, 0.1, 1e-6])
+    # A trial step may be so long that the linkage cannot close: it is rejected.
+    np.seterr(invalid="ignore")
 
     def run():
         before, x = time.perf_counter(), np.array(START)
@@ -302,7 +304,7 @@ def to_an_accuracy():
     def good(state):
         return relative(state[4], expected) <= POSITION
 
-    tolerances = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
+    tolerances = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9]
 
     def ladder(peer):
         def make():
