@@ -381,7 +381,7 @@ def to_an_accuracy():
     def good(state):
         return relative(state[4], expected) <= POSITION
 
-    tolerances = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9]
+    tolerances = [1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 1e-9]
 
     def ladder(peer):
         def make():
