@@ -26,6 +26,8 @@ const EXPECTED: [f64; 7] = [
     0.5347301163420796,
     1.048080741041938,
 ];
+/// Rounds of measurements.
+const ROUNDS: usize = 5;
 /// Runs in one measurement, of which the fastest counts.
 const RUNS: usize = 20;
 /// Tolerances that are tried, from the loosest.
@@ -135,6 +137,7 @@ pub fn to_an_accuracy(c: Option<&Baseline>, table: &mut Table, _full: bool) {
     measure(
         table,
         "W7",
+        ROUNDS,
         "C absolute",
         candidates,
         &accurate,

@@ -143,7 +143,7 @@ pub fn models(c: Option<&Baseline>, table: &mut Table, _full: bool) {
         Ok(cases) => cases,
         Err(why) => return table.remark(format!("W6: cannot read the models: {why}")),
     };
-    let base = c.map(|c| c.compile_seconds);
+    let base = c.and_then(|c| c.compile_seconds(ROUNDS));
     let mut row = |workload: String, implementation: &str, seconds: f64, note: String| {
         table.row(Row {
             workload,

@@ -53,6 +53,11 @@ impl Implementation {
         }
     }
 
+    /// Whose steps it takes: those of one family differ in how fast they are alone.
+    pub fn family(&self) -> &str {
+        self.name.split(' ').next().unwrap_or_default()
+    }
+
     /// Whether it has the method.
     pub fn can(&self, method: Method) -> bool {
         match method {

@@ -3,9 +3,6 @@
 use crate::study::Outcome;
 use crate::table::{Row, Table};
 
-/// Rounds after the first, which warms up and is checked.
-const ROUNDS: usize = 4;
-
 /// One implementation, as a workload calls it.
 pub struct Candidate<'a> {
     /// Its name in the table.
@@ -19,12 +16,13 @@ pub struct Candidate<'a> {
     pub run: Box<dyn Fn() -> Result<Outcome, String> + 'a>,
 }
 
-/// Measures `candidates` and adds a row for each whose outcome `check` accepts. The baseline is the
+/// Measures `candidates` in `rounds` rounds, after one that warms up and is checked, and adds a row for each whose outcome `check` accepts. The baseline is the
 /// fastest of those on one core whose names begin with `baseline`. `note` says the same in the
 /// workload's terms.
 pub fn measure(
     table: &mut Table,
     workload: &str,
+    rounds: usize,
     baseline: &str,
     candidates: Vec<Candidate<'_>>,
     check: &dyn Fn(&Outcome) -> Result<(), String>,
@@ -38,7 +36,7 @@ pub fn measure(
             Err(why) => table.remark(format!("{workload} {}: no row; {why}", candidate.name)),
         }
     }
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         for (candidate, _, seconds) in &mut accepted {
             if let Ok(outcome) = (candidate.run)() {
                 *seconds = seconds.min(outcome.seconds * candidate.share);

@@ -11,6 +11,8 @@ use crate::measure::{Candidate, measure};
 use crate::study::{End, Method, Outcome, STAGE_X, Study, relative};
 use crate::table::Table;
 
+/// Rounds of measurements.
+const ROUNDS: usize = 5;
 /// The command's own tolerance.
 const TOLERANCE: f64 = 1e-8;
 const UNTIL: f64 = 0.02;
@@ -111,6 +113,7 @@ pub fn start_to_exit(c: Option<&Baseline>, table: &mut Table, _full: bool) {
     measure(
         table,
         "20 ms of motion",
+        ROUNDS,
         "C libm, start to exit",
         candidates,
         &|outcome| {

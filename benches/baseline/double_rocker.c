@@ -1,10 +1,10 @@
 /* Runs of the article's actuator, timed.
  *
- *     double_rocker rk4|dop853 SETTING FROM UNTIL UNIT THREADS PERTURBATION < PARAMS
+ *     double_rocker rk4|dop853 SETTING FROM UNTIL UNIT THREADS PERTURBATION [RATE] < PARAMS
  *
  * SETTING is the step in s of rk4 or the tolerance of dop853; FROM and UNTIL are times in s, or in
  * periods of the drive if UNIT is `cycles`; PERTURBATION in rad is added to the crank's angle at the start.
- * Every line of PARAMS is a parameter set. First line of the output: seconds for all runs (preparing
+ * RATE in rad/s is that of the crank at the start. Every line of PARAMS is a parameter set. First line of the output: seconds for all runs (preparing
  * them included), evaluations of the right-hand side, the process's largest memory in bytes. Then a
  * line for each run: position of the stage at FROM, and the state at UNTIL.
  *
@@ -27,7 +27,7 @@ typedef struct {
 } Result;
 
 static int count, adaptive, in_cycles;
-static double setting, from_time, until_time, perturbation;
+static double setting, from_time, until_time, perturbation, initial_rate;
 static double (*params)[PARAMS];
 static Result *results;
 static atomic_int next_run, failed;
@@ -156,7 +156,7 @@ static void *work(void *unused)
 #define X(name) m.name = d.name;
         CONSTANTS(X)
 #undef X
-        double x[WIDE] = {d.phi0 + perturbation}, allowed[WIDE] = {0}, h = 1e-8;
+        double x[WIDE] = {d.phi0 + perturbation, initial_rate}, allowed[WIDE] = {0}, h = 1e-8;
         for (int i = 0; i < STATES; i++)
             allowed[i] = 1.0 / (setting * size[i]);
         Segment s = begin(&d);
@@ -228,7 +228,7 @@ static void *work(void *unused)
                     xp[lane] = s[lane].start, rate[lane] = s[lane].rate;
                     for (int i = 0; i < STATES; i++)
                         x[i][lane] = 0.0;
-                    x[0][lane] = d[lane].phi0 + perturbation;
+                    x[0][lane] = d[lane].phi0 + perturbation, x[1][lane] = initial_rate;
 #define X(name) m.name[lane] = d[lane].name;
                     CONSTANTS(X)
 #undef X
@@ -259,7 +259,7 @@ static void *work(void *unused)
 
 int main(int argc, char **argv)
 {
-    if (argc != 8)
+    if (argc != 8 && argc != 9)
         return 2;
     adaptive = !strcmp(argv[1], "dop853");
     setting = atof(argv[2]);
@@ -267,6 +267,7 @@ int main(int argc, char **argv)
     in_cycles = !strcmp(argv[5], "cycles");
     int threads = atoi(argv[6]);
     perturbation = atof(argv[7]);
+    initial_rate = argc == 9 ? atof(argv[8]) : 0.0;
     if (threads < 1 || threads > 1024 || (adaptive && LANES > 1))
         return 2;
     size_t room = 0;
