@@ -177,19 +177,12 @@ impl Reference {
         let bits = enough(x) + x.abs().log2().max(0.0) as i64;
         let half_pi = Self::cut(&self.pi, bits).over(2);
         let x = Fixed::new(x, bits);
-        let quarters: BigInt = {
-            let twice = (&x.value * 2 + &half_pi.value) / (&half_pi.value * 2);
-            twice - 1
-        };
-        let mut angle = x.minus(&Fixed {
+        let quarters: BigInt = &x.value / &half_pi.value;
+        let angle = x.minus(&Fixed {
             value: &half_pi.value * &quarters,
             bits,
         });
-        let mut quarter: i64 = (&quarters % 4i64).try_into().unwrap();
-        while angle.value > half_pi.value {
-            angle = angle.minus(&half_pi);
-            quarter += 1;
-        }
+        let quarter: i64 = (&quarters % 4i64).try_into().unwrap();
         let square = angle.times(&angle);
         let series = |mut term: Fixed, mut k: i64| {
             let mut sum = term.clone();
@@ -280,12 +273,9 @@ impl Reference {
 
     fn ln_fixed(&self, x: f64, bits: i64) -> Fixed {
         let n = x.log2().round() as i64;
+        let (mantissa, exponent) = parts(x);
         let m = Fixed {
-            value: Fixed::new(x, bits + 1100).value >> 0,
-            bits: bits + 1100 + n,
-        };
-        let m = Fixed {
-            value: shifted(&m.value, bits - m.bits),
+            value: shifted(&BigInt::from(mantissa), exponent - n + bits),
             bits,
         };
         let one = Fixed::of(1, bits);
