@@ -150,7 +150,7 @@ fn ln_2(bits: i64) -> Fixed {
     sum
 }
 
-/// The constants to `bits` places, computed once.
+/// The constants, computed once.
 pub struct Reference {
     pi: Fixed,
     ln_2: Fixed,
@@ -159,7 +159,7 @@ pub struct Reference {
 impl Reference {
     pub fn new() -> Self {
         Self {
-            pi: pi(2600),
+            pi: pi(5000),
             ln_2: ln_2(2600),
         }
     }
@@ -256,7 +256,8 @@ impl Reference {
 
     /// Direction of the vector (`x`, `y`).
     pub fn atan2(&self, y: f64, x: f64) -> Fixed {
-        let bits = 300 + 2200;
+        // Enough for the quotient, and for what it is of.
+        let bits = enough(y) + enough(x) + (y.abs() / x.abs()).log2().abs().min(2100.0) as i64;
         let (y_fixed, x_fixed) = (Fixed::new(y.abs(), bits), Fixed::new(x.abs(), bits));
         let pi = Self::cut(&self.pi, bits);
         let acute = if y.abs() <= x.abs() {
