@@ -11,8 +11,9 @@ use crate::lanes::real_by_kernels;
 
 /// A number that equations of motion can be evaluated with.
 ///
-/// Every function agrees with the definition in [`impl Real for f64`](#impl-Real-for-f64), which is
-/// the one that the symbolic graph's own evaluator uses.
+/// Every function agrees to rounding with [`impl Real for f64`](#impl-Real-for-f64), whose functions
+/// are the same to the last bit on every machine; [`lanes`](crate::lanes) says how exact they are.
+/// For plain numbers they are to be called as `Real::sin(x)`: `x.sin()` is the platform's.
 pub trait Real:
     Copy
     + Debug

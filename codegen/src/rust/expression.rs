@@ -130,6 +130,8 @@ pub(super) fn apply(
             typed(piece)
         }
     };
+    // Of a plain number, the method of that name would be the platform's.
+    let own = if is_plain { of_trait } else { method };
     match operation {
         Operation::Negate => {
             let inner = of_type(a).at_least(Level::Minus);
@@ -152,19 +154,19 @@ pub(super) fn apply(
         Operation::Divide if a.constant == Some(1.0) => method(b, "recip", &[]),
         Operation::Divide => infix(&of_type(a), quote!(/), b, Level::Product),
         Operation::Sqrt => method(a, "sqrt", &[]),
-        Operation::Sin => method(a, "sin", &[]),
-        Operation::Cos => method(a, "cos", &[]),
-        Operation::Tan => method(a, "tan", &[]),
-        Operation::Asin => method(a, "asin", &[]),
-        Operation::Acos => method(a, "acos", &[]),
-        Operation::Atan => method(a, "atan", &[]),
-        Operation::Tanh => method(a, "tanh", &[]),
-        Operation::Exp => method(a, "exp", &[]),
-        Operation::Log => method(a, "ln", &[]),
+        Operation::Sin => own(a, "sin", &[]),
+        Operation::Cos => own(a, "cos", &[]),
+        Operation::Tan => own(a, "tan", &[]),
+        Operation::Asin => own(a, "asin", &[]),
+        Operation::Acos => own(a, "acos", &[]),
+        Operation::Atan => own(a, "atan", &[]),
+        Operation::Tanh => own(a, "tanh", &[]),
+        Operation::Exp => own(a, "exp", &[]),
+        Operation::Log => own(a, "ln", &[]),
         Operation::Abs => method(a, "abs", &[]),
         Operation::Sign => method(a, "sign", &[]),
         Operation::Floor => method(a, "floor", &[]),
-        Operation::Atan2 => method(&typed(a), "atan2", &[of_type(b)]),
+        Operation::Atan2 => own(&typed(a), "atan2", &[of_type(b)]),
         Operation::Min => method(&typed(a), "smaller", &[of_type(b)]),
         Operation::Max => method(&typed(a), "larger", &[of_type(b)]),
         Operation::Power => method(&typed(a), "power", &[of_type(b)]),
@@ -208,6 +210,19 @@ fn method(receiver: &Piece, name: &str, arguments: &[Piece]) -> Piece {
             + name.len()
             + 3
             + arguments.iter().map(|a| a.length + 2).sum::<usize>(),
+        constant: None,
+    }
+}
+
+/// `Real::name(receiver, …)`.
+fn of_trait(receiver: &Piece, name: &str, arguments: &[Piece]) -> Piece {
+    let name_ident = ident(name);
+    let all = std::iter::once(receiver).chain(arguments);
+    let list = all.clone().map(|argument| &argument.tokens);
+    Piece {
+        tokens: quote!(Real::#name_ident(#(#list),*)),
+        level: Level::Atom,
+        length: name.len() + 6 + all.map(|a| a.length + 2).sum::<usize>(),
         constant: None,
     }
 }

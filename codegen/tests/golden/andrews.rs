@@ -311,7 +311,7 @@ pub mod andrews {
             let beta0 = self.beta0;
             let d_minus_ss = d_2 - ss;
             let d_minus_ss_squared = d_minus_ss * d_minus_ss;
-            let (sin_beta0, cos_beta0) = beta0.sin_cos();
+            let (sin_beta0, cos_beta0) = Real::sin_cos(beta0);
             let X1_0 = xb - rr * cos_beta0;
             let Y1_0 = yb - rr * sin_beta0;
             let D1_0 = X1_0 * X1_0 + Y1_0 * Y1_0;
@@ -339,8 +339,8 @@ pub mod andrews {
             let Y1_0_η1_0 = Y1_0 * η1_0;
             let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / ss);
             // angle of `lever` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(-1.12);
-            let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
+            let φ3_0 = Real::atan2(s3_0, c3_0).unwrap_to(-1.12);
+            let (sin_φ3_0, cos_φ3_0) = Real::sin_cos(φ3_0);
             let X2_0 = xa_minus_xb - ss * cos_φ3_0;
             let ya_minus_yb = ya - yb;
             let Y2_0 = ya_minus_yb - ss * sin_φ3_0;
@@ -368,16 +368,17 @@ pub mod andrews {
             let s2_0 = -((Y1_0_κ1_0 + X1_0_η1_0) / d_2);
             let c2_0 = -((X1_0_κ1_0 - Y1_0_η1_0) / d_2);
             // angle of `coupler` as assembled
-            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(-0.06);
-            let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
+            let φ2_0 = Real::atan2(s2_0, c2_0).unwrap_to(-0.06);
+            let sin_φ2_0_minus_φ3_0 = Real::sin(φ2_0 - φ3_0);
             // rate as assembled
-            let ω2_0 = rr * (beta0 - φ3_0).sin() / (d_2 * sin_φ2_0_minus_φ3_0);
+            let ω2_0 = rr * Real::sin(beta0 - φ3_0) / (d_2 * sin_φ2_0_minus_φ3_0);
             // constant of the inertia
             let C2 = I3 + m3 * (sa * sa) + m3 * (sb * sb) + ss_squared * m4
                 + ss_squared * m6;
             let beta0_minus_φ2_0 = beta0 - φ2_0;
-            let (sin_beta0_minus_φ2_0, cos_beta0_minus_φ2_0) = beta0_minus_φ2_0
-                .sin_cos();
+            let (sin_beta0_minus_φ2_0, cos_beta0_minus_φ2_0) = Real::sin_cos(
+                beta0_minus_φ2_0,
+            );
             // rate as assembled
             let ω3_0 = -(rr * sin_beta0_minus_φ2_0 / (ss * sin_φ2_0_minus_φ3_0));
             // constant of the inertia
@@ -397,19 +398,20 @@ pub mod andrews {
             let Y2_0_η2_0 = Y2_0 * η2_0;
             let c_δ_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / zt);
             // angle of `upper_arm` as assembled
-            let δ_0 = s_δ_0.atan2(c_δ_0).unwrap_to(0.49);
+            let δ_0 = Real::atan2(s_δ_0, c_δ_0).unwrap_to(0.49);
             let s4_0 = -((Y2_0_κ2_0 + X2_0_η2_0) / e);
             let c4_0 = -((X2_0_κ2_0 - Y2_0_η2_0) / e);
             // angle of `upper` as assembled
-            let φ4_0 = s4_0.atan2(c4_0).unwrap_to(-0.86);
-            let sin_φ4_0_minus_δ_0 = (φ4_0 - δ_0).sin();
+            let φ4_0 = Real::atan2(s4_0, c4_0).unwrap_to(-0.86);
+            let sin_φ4_0_minus_δ_0 = Real::sin(φ4_0 - δ_0);
             // rate as assembled
-            let ω4_0 = ss_ω3_0 * (φ3_0 - δ_0).sin() / (e * sin_φ4_0_minus_δ_0);
+            let ω4_0 = ss_ω3_0 * Real::sin(φ3_0 - δ_0) / (e * sin_φ4_0_minus_δ_0);
             // constant of the inertia
             let C4 = I5 + m5 * (ta * ta) + m5 * (tb * tb);
             let φ3_0_minus_φ4_0 = φ3_0 - φ4_0;
-            let (sin_φ3_0_minus_φ4_0, cos_φ3_0_minus_φ4_0) = φ3_0_minus_φ4_0
-                .sin_cos();
+            let (sin_φ3_0_minus_φ4_0, cos_φ3_0_minus_φ4_0) = Real::sin_cos(
+                φ3_0_minus_φ4_0,
+            );
             // rate as assembled
             let ω_δ_0 = -(ss_ω3_0 * sin_φ3_0_minus_φ4_0
                 / (zt * sin_φ4_0_minus_δ_0));
@@ -431,19 +433,21 @@ pub mod andrews {
             let Y2_0_η3_0 = Y2_0 * η3_0;
             let c7_0 = -((X2_0 - X2_0_κ3_0 + Y2_0_η3_0) / u_2);
             // angle of `lower_arm` as assembled
-            let φ7_0 = s7_0.atan2(c7_0).unwrap_to(-0.34);
+            let φ7_0 = Real::atan2(s7_0, c7_0).unwrap_to(-0.34);
             let s6_0 = -((Y2_0_κ3_0 + X2_0_η3_0) / zf);
             let c6_0 = -((X2_0_κ3_0 - Y2_0_η3_0) / zf);
             // angle of `lower` as assembled
-            let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.01);
-            let sin_φ6_0_minus_φ7_0 = (φ6_0 - φ7_0).sin();
+            let φ6_0 = Real::atan2(s6_0, c6_0).unwrap_to(1.01);
+            let sin_φ6_0_minus_φ7_0 = Real::sin(φ6_0 - φ7_0);
             // rate as assembled
-            let ω6_0 = ss_ω3_0 * (φ3_0 - φ7_0).sin() / (zf * sin_φ6_0_minus_φ7_0);
+            let ω6_0 = ss_ω3_0 * Real::sin(φ3_0 - φ7_0)
+                / (zf * sin_φ6_0_minus_φ7_0);
             // constant of the inertia
             let C6 = I7 + m7 * (ua * ua) + m7 * (ub * ub);
             let φ3_0_minus_φ6_0 = φ3_0 - φ6_0;
-            let (sin_φ3_0_minus_φ6_0, cos_φ3_0_minus_φ6_0) = φ3_0_minus_φ6_0
-                .sin_cos();
+            let (sin_φ3_0_minus_φ6_0, cos_φ3_0_minus_φ6_0) = Real::sin_cos(
+                φ3_0_minus_φ6_0,
+            );
             // rate as assembled
             let ω7_0 = -(ss_ω3_0 * sin_φ3_0_minus_φ6_0
                 / (u_2 * sin_φ6_0_minus_φ7_0));

@@ -120,7 +120,7 @@ pub mod bridge_amplifier {
             let I1 = l_squared_ma * 0.08333333333333333;
             // angle of `lower_left` as assembled
             let φ1_0 = 3.141592653589793 - rise;
-            let (sin_φ1_0, cos_φ1_0) = φ1_0.sin_cos();
+            let (sin_φ1_0, cos_φ1_0) = Real::sin_cos(φ1_0);
             let l_cos_φ1_0 = l * cos_φ1_0;
             let X1_0 = -l_cos_φ1_0;
             let t1 = l_squared - X1_0 * X1_0;
@@ -138,23 +138,25 @@ pub mod bridge_amplifier {
             // constant of the inertia
             let C1 = l_squared_ma_plus_two_I1 + l_squared_mb + ma_r1_squared
                 + ma_r1_minus_l_squared;
-            let height = l * rise.sin();
+            let height = l * Real::sin(rise);
             let t3 = rise + 3.141592653589793;
             let l_sin_φ1_0 = l * sin_φ1_0;
             // which way the loop closes: as drawn
-            let ε1 = (height * 2.0 - l * t3.sin() - l_sin_φ1_0).if_positive(1.0, -1.0);
+            let ε1 = (height * 2.0 - l * Real::sin(t3) - l_sin_φ1_0)
+                .if_positive(1.0, -1.0);
             // position of `table` as assembled
             let x_table_0 = ε1 * t1.sqrt() + l_sin_φ1_0;
             let s3_0 = -((x_table_0 - l_sin_φ1_0) / l);
             let c3_0 = -(X1_0 / l);
             // angle of `upper_left` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(t3);
-            let (sin_φ3_0, cos_φ3_0) = φ3_0.sin_cos();
+            let φ3_0 = Real::atan2(s3_0, c3_0).unwrap_to(t3);
+            let (sin_φ3_0, cos_φ3_0) = Real::sin_cos(φ3_0);
             // rate as assembled
             let ω3_0 = sin_φ1_0 / sin_φ3_0;
             let φ1_0_minus_φ3_0 = φ1_0 - φ3_0;
-            let (sin_φ1_0_minus_φ3_0, cos_φ1_0_minus_φ3_0) = φ1_0_minus_φ3_0
-                .sin_cos();
+            let (sin_φ1_0_minus_φ3_0, cos_φ1_0_minus_φ3_0) = Real::sin_cos(
+                φ1_0_minus_φ3_0,
+            );
             // rate as assembled
             let ν_table_0 = -(l * sin_φ1_0_minus_φ3_0 / sin_φ3_0);
             // constant of the inertia

@@ -303,37 +303,39 @@ pub mod double_rocker {
             let Y_0_η_0 = Y_0 * η_0;
             let c3_0 = -((X_0 - X_0_κ_0 + Y_0_η_0) / l3);
             // angle of `rocker` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5707963267948966);
+            let φ3_0 = Real::atan2(s3_0, c3_0).unwrap_to(1.5707963267948966);
             let s2_0 = (Y_0_κ_0 + X_0_η_0) / l2;
             let c2_0 = (X_0_κ_0 - Y_0_η_0) / l2;
             // angle of `coupler` as assembled
-            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.0);
-            let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
+            let φ2_0 = Real::atan2(s2_0, c2_0).unwrap_to(0.0);
+            let sin_φ2_0_minus_φ3_0 = Real::sin(φ2_0 - φ3_0);
+            let t5 = l1 * Real::sin(1.3962634015954636 - φ3_0)
+                / (l2 * sin_φ2_0_minus_φ3_0);
             // rate as assembled
-            let ω2_0 = -(l1 * (1.3962634015954636 - φ3_0).sin()
-                / (l2 * sin_φ2_0_minus_φ3_0));
+            let ω2_0 = -t5;
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
+            let t6 = l1 * Real::sin(1.3962634015954636 - φ2_0)
+                / (l3 * sin_φ2_0_minus_φ3_0);
             // rate as assembled
-            let ω3_0 = -(l1 * (1.3962634015954636 - φ2_0).sin()
-                / (l3 * sin_φ2_0_minus_φ3_0));
+            let ω3_0 = -t6;
             // constant of the inertia
             let C3 = l1 * m2 * r2 * 2.0;
             // inertia as assembled
             let A_crank_0 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
-                + C3 * ω2_0 * (beta2 - 1.3962634015954636 + φ2_0).cos();
-            let t5 = rise.if_positive(0.0, one_minus_rise.if_positive(1.0, 0.0));
-            let (sin_beta2, cos_beta2) = beta2.sin_cos();
+                + C3 * ω2_0 * Real::cos(beta2 - 1.3962634015954636 + φ2_0);
+            let t7 = rise.if_positive(0.0, one_minus_rise.if_positive(1.0, 0.0));
+            let (sin_beta2, cos_beta2) = Real::sin_cos(beta2);
             let sqrt_e = e.sqrt();
             let sqrt_e_squared = sqrt_e * sqrt_e;
-            let t6 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
+            let t8 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
                 * 0.07073553026306459;
             // stiffness of a hinge
-            let k = t6 / r.sqrt();
-            let (sin_beta1, cos_beta1) = beta1.sin_cos();
-            let (sin_beta3, cos_beta3) = beta3.sin_cos();
+            let k = t8 / r.sqrt();
+            let (sin_beta1, cos_beta1) = Real::sin_cos(beta1);
+            let (sin_beta3, cos_beta3) = Real::sin_cos(beta3);
             let F_C = mu_c * Fp;
             let v_s_squared = v_s * v_s;
             let F_S = mu_s * Fp;
@@ -460,7 +462,7 @@ pub mod double_rocker {
             }
             let mut prepared = Prepared {
                 start_states: [1.3962634015954636, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-                start_discretes: [0.0, 0.0, 0.0, t5],
+                start_discretes: [0.0, 0.0, 0.0, t7],
                 l1,
                 l2,
                 l3,
@@ -528,8 +530,8 @@ pub mod double_rocker {
                 half_sigma0: sigma0 * 0.5,
                 per_f: f.recip(),
                 one_minus_rise,
-                constant5: t5,
-                constant6: one_minus_rise.if_positive(1.0, t5),
+                constant5: t7,
+                constant6: one_minus_rise.if_positive(1.0, t7),
                 constant7: 0.25 / l2_squared_l3_squared,
                 table_of_φ1: Table::none(),
             };

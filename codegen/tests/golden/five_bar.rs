@@ -151,19 +151,20 @@ pub mod five_bar {
             let Y_0_η_0 = Y_0 * η_0;
             let c4_0 = -((half_X_0 + Y_0_η_0) / l2);
             // angle of `right_coupler` as assembled
-            let φ4_0 = s4_0.atan2(c4_0).unwrap_to(2.705260340591211);
+            let φ4_0 = Real::atan2(s4_0, c4_0).unwrap_to(2.705260340591211);
             let s3_0 = (half_Y_0 + X_0_η_0) / l2;
             let c3_0 = (half_X_0 - Y_0_η_0) / l2;
             // angle of `left_coupler` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(0.4363323129985824);
-            let l2_sin_φ3_0_minus_φ4_0 = l2 * (φ3_0 - φ4_0).sin();
+            let φ3_0 = Real::atan2(s3_0, c3_0).unwrap_to(0.4363323129985824);
+            let l2_sin_φ3_0_minus_φ4_0 = l2 * Real::sin(φ3_0 - φ4_0);
+            let t5 = l1 * Real::sin(2.0943951023931953 - φ4_0)
+                / l2_sin_φ3_0_minus_φ4_0;
             // rate as assembled
-            let ω3_1_0 = -(l1 * (2.0943951023931953 - φ4_0).sin()
-                / l2_sin_φ3_0_minus_φ4_0);
-            let t5 = 2.0943951023931953 - φ3_0;
-            let (t6, t7) = t5.sin_cos();
+            let ω3_1_0 = -t5;
+            let t6 = 2.0943951023931953 - φ3_0;
+            let (t7, t8) = Real::sin_cos(t6);
             // rate as assembled
-            let ω4_1_0 = -(l1 * t6 / l2_sin_φ3_0_minus_φ4_0);
+            let ω4_1_0 = -(l1 * t7 / l2_sin_φ3_0_minus_φ4_0);
             let l1_m2_r3 = l1 * m2 * r3;
             // constant of the inertia
             let C5 = l1_m2_r3 * 2.0;
@@ -171,17 +172,17 @@ pub mod five_bar {
             let C4 = C5 + l1 * l2 * mt * 2.0;
             // inertia as assembled
             let A_left_crank_0 = C0 + C2 * (ω3_1_0 * ω3_1_0) + C3 * (ω4_1_0 * ω4_1_0)
-                + C4 * ω3_1_0 * t7;
-            let t8 = 1.0471975511965976 - φ4_0;
-            let (t9, t10) = t8.sin_cos();
+                + C4 * ω3_1_0 * t8;
+            let t9 = 1.0471975511965976 - φ4_0;
+            let (t10, t11) = Real::sin_cos(t9);
             // rate as assembled
-            let ω3_2_0 = l1 * t9 / l2_sin_φ3_0_minus_φ4_0;
+            let ω3_2_0 = l1 * t10 / l2_sin_φ3_0_minus_φ4_0;
             // rate as assembled
-            let ω4_2_0 = l1 * (1.0471975511965976 - φ3_0).sin()
+            let ω4_2_0 = l1 * Real::sin(1.0471975511965976 - φ3_0)
                 / l2_sin_φ3_0_minus_φ4_0;
             // inertia as assembled
             let A_right_crank_0 = C1 + C2 * (ω3_2_0 * ω3_2_0)
-                + C3 * (ω4_2_0 * ω4_2_0) + l1_m2_r3 * ω4_2_0 * t10 * 2.0;
+                + C3 * (ω4_2_0 * ω4_2_0) + l1_m2_r3 * ω4_2_0 * t11 * 2.0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
             }

@@ -157,34 +157,35 @@ pub mod four_bar {
             let Y_0_η_0 = Y_0 * η_0;
             let c3_0 = -((X_0 - X_0_κ_0 + Y_0_η_0) / l3);
             // angle of `rocker` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5707963267948966);
+            let φ3_0 = Real::atan2(s3_0, c3_0).unwrap_to(1.5707963267948966);
             let s2_0 = (Y_0_κ_0 + X_0_η_0) / l2;
             let c2_0 = (X_0_κ_0 - Y_0_η_0) / l2;
             // angle of `coupler` as assembled
-            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.0);
-            let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
+            let φ2_0 = Real::atan2(s2_0, c2_0).unwrap_to(0.0);
+            let sin_φ2_0_minus_φ3_0 = Real::sin(φ2_0 - φ3_0);
+            let t5 = l1 * Real::sin(1.3962634015954636 - φ3_0)
+                / (l2 * sin_φ2_0_minus_φ3_0);
             // rate as assembled
-            let ω2_0 = -(l1 * (1.3962634015954636 - φ3_0).sin()
-                / (l2 * sin_φ2_0_minus_φ3_0));
+            let ω2_0 = -t5;
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
-            let t5 = 1.3962634015954636 - φ2_0;
-            let (t6, t7) = t5.sin_cos();
+            let t6 = 1.3962634015954636 - φ2_0;
+            let (t7, t8) = Real::sin_cos(t6);
             // rate as assembled
-            let ω3_0 = -(l1 * t6 / (l3 * sin_φ2_0_minus_φ3_0));
+            let ω3_0 = -(l1 * t7 / (l3 * sin_φ2_0_minus_φ3_0));
             // constant of the inertia
             let C3 = l1 * m2 * r2 * 2.0;
             // inertia as assembled
             let A_crank_0 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
-                + C3 * ω2_0 * t7;
+                + C3 * ω2_0 * t8;
             let sqrt_e = e.sqrt();
             let sqrt_e_squared = sqrt_e * sqrt_e;
-            let t8 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
+            let t9 = E * b * (sqrt_e * (sqrt_e_squared * sqrt_e_squared))
                 * 0.07073553026306459;
             // stiffness of a hinge
-            let k = t8 / r.sqrt();
+            let k = t9 / r.sqrt();
             if !(E > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[E]));
             }

@@ -212,8 +212,8 @@ pub mod six_bar {
             let Y1_0_η1_0 = Y1_0 * η1_0;
             let c2_0 = (X1_0_κ1_0 - Y1_0_η1_0) / l2;
             // angle of `coupler` as assembled
-            let φ2_0 = s2_0.atan2(c2_0).unwrap_to(0.2617993877991494);
-            let (sin_φ2_0, cos_φ2_0) = φ2_0.sin_cos();
+            let φ2_0 = Real::atan2(s2_0, c2_0).unwrap_to(0.2617993877991494);
+            let (sin_φ2_0, cos_φ2_0) = Real::sin_cos(φ2_0);
             let X2_0 = x3 - t1 + cy * sin_φ2_0 - cx * cos_φ2_0;
             let Y2_0 = y3 - t2 - cx * sin_φ2_0 - cy * cos_φ2_0;
             let D2_0 = X2_0 * X2_0 + Y2_0 * Y2_0;
@@ -231,31 +231,32 @@ pub mod six_bar {
             let s3_0 = (Y1_0_κ1_0 - Y1_0 + X1_0_η1_0) / l3;
             let c3_0 = -((X1_0 - X1_0_κ1_0 + Y1_0_η1_0) / l3);
             // angle of `rocker` as assembled
-            let φ3_0 = s3_0.atan2(c3_0).unwrap_to(1.5184364492350666);
-            let sin_φ2_0_minus_φ3_0 = (φ2_0 - φ3_0).sin();
+            let φ3_0 = Real::atan2(s3_0, c3_0).unwrap_to(1.5184364492350666);
+            let sin_φ2_0_minus_φ3_0 = Real::sin(φ2_0 - φ3_0);
+            let t9 = l1 * Real::sin(1.2217304763960306 - φ3_0)
+                / (l2 * sin_φ2_0_minus_φ3_0);
             // rate as assembled
-            let ω2_0 = -(l1 * (1.2217304763960306 - φ3_0).sin()
-                / (l2 * sin_φ2_0_minus_φ3_0));
+            let ω2_0 = -t9;
             // distance of the centre of mass from the first end of rocker
             let r3 = l3 * 0.5;
             // constant of the inertia
             let C2 = I3 + m3 * (r3 * r3);
-            let t9 = 1.2217304763960306 - φ2_0;
-            let (t10, t11) = t9.sin_cos();
+            let t10 = 1.2217304763960306 - φ2_0;
+            let (t11, t12) = Real::sin_cos(t10);
             // rate as assembled
-            let ω3_0 = -(l1 * t10 / (l3 * sin_φ2_0_minus_φ3_0));
+            let ω3_0 = -(l1 * t11 / (l3 * sin_φ2_0_minus_φ3_0));
             // distance of the centre of mass from the first end of connector
             let r5 = l5 * 0.5;
             let r5_minus_l5 = r5 - l5;
             // constant of the inertia
             let C3 = I5 + m5 * (r5_minus_l5 * r5_minus_l5);
-            let t12 = l5_squared - l6_squared;
-            let κ2_0 = (t12 + D2_0) * 0.5 / D2_0;
+            let t13 = l5_squared - l6_squared;
+            let κ2_0 = (t13 + D2_0) * 0.5 / D2_0;
             let Y2_0_κ2_0 = Y2_0 * κ2_0;
-            let t13 = (X2_0 * 0.5877852522924731 - Y2_0 * 0.8090169943749475) / l5
+            let t14 = (X2_0 * 0.5877852522924731 - Y2_0 * 0.8090169943749475) / l5
                 + (X2_0 * 0.9335804264972017 + Y2_0 * 0.35836794954530027) / l6;
             // which way the loop closes: as drawn
-            let ε2 = t13.if_positive(1.0, -1.0);
+            let ε2 = t14.if_positive(1.0, -1.0);
             let η2_0 = ε2 * (-t7).sqrt() * 0.5 / D2_0;
             let X2_0_η2_0 = X2_0 * η2_0;
             let s6_0 = (Y2_0_κ2_0 - Y2_0 + X2_0_η2_0) / l6;
@@ -263,37 +264,40 @@ pub mod six_bar {
             let Y2_0_η2_0 = Y2_0 * η2_0;
             let c6_0 = -((X2_0 - X2_0_κ2_0 + Y2_0_η2_0) / l6);
             // angle of `output_rocker` as assembled
-            let φ6_0 = s6_0.atan2(c6_0).unwrap_to(1.9373154697137058);
+            let φ6_0 = Real::atan2(s6_0, c6_0).unwrap_to(1.9373154697137058);
             let cx_ω2_0 = cx * ω2_0;
             let φ2_0_minus_φ6_0 = φ2_0 - φ6_0;
-            let (sin_φ2_0_minus_φ6_0, cos_φ2_0_minus_φ6_0) = φ2_0_minus_φ6_0
-                .sin_cos();
-            let t14 = l1 * (1.2217304763960306 - φ6_0).sin()
+            let (sin_φ2_0_minus_φ6_0, cos_φ2_0_minus_φ6_0) = Real::sin_cos(
+                φ2_0_minus_φ6_0,
+            );
+            let t15 = l1 * Real::sin(1.2217304763960306 - φ6_0)
                 + cx_ω2_0 * sin_φ2_0_minus_φ6_0;
             let cy_ω2_0 = cy * ω2_0;
             let s5_0 = (Y2_0_κ2_0 + X2_0_η2_0) / l5;
             let c5_0 = (X2_0_κ2_0 - Y2_0_η2_0) / l5;
             // angle of `connector` as assembled
-            let φ5_0 = s5_0.atan2(c5_0).unwrap_to(0.6283185307179586);
+            let φ5_0 = Real::atan2(s5_0, c5_0).unwrap_to(0.6283185307179586);
             let φ5_0_minus_φ6_0 = φ5_0 - φ6_0;
-            let (sin_φ5_0_minus_φ6_0, cos_φ5_0_minus_φ6_0) = φ5_0_minus_φ6_0
-                .sin_cos();
+            let (sin_φ5_0_minus_φ6_0, cos_φ5_0_minus_φ6_0) = Real::sin_cos(
+                φ5_0_minus_φ6_0,
+            );
             // rate as assembled
-            let ω5_0 = -((t14 + cy_ω2_0 * cos_φ2_0_minus_φ6_0)
+            let ω5_0 = -((t15 + cy_ω2_0 * cos_φ2_0_minus_φ6_0)
                 / (l5 * sin_φ5_0_minus_φ6_0));
             // distance of the centre of mass from the first end of output_rocker
             let r6 = l6 * 0.5;
             // constant of the inertia
             let C4 = I6 + l6_squared * m5 + m6 * (r6 * r6);
             let φ2_0_minus_φ5_0 = φ2_0 - φ5_0;
-            let (sin_φ2_0_minus_φ5_0, cos_φ2_0_minus_φ5_0) = φ2_0_minus_φ5_0
-                .sin_cos();
-            let t15 = l1 * (1.2217304763960306 - φ5_0).sin()
+            let (sin_φ2_0_minus_φ5_0, cos_φ2_0_minus_φ5_0) = Real::sin_cos(
+                φ2_0_minus_φ5_0,
+            );
+            let t16 = l1 * Real::sin(1.2217304763960306 - φ5_0)
                 + cx_ω2_0 * sin_φ2_0_minus_φ5_0;
             // rate as assembled
-            let ω6_0 = -((t15 + cy_ω2_0 * cos_φ2_0_minus_φ5_0)
+            let ω6_0 = -((t16 + cy_ω2_0 * cos_φ2_0_minus_φ5_0)
                 / (l6 * sin_φ5_0_minus_φ6_0));
-            let t16 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
+            let t17 = C0 + C1 * (ω2_0 * ω2_0) + C2 * (ω3_0 * ω3_0)
                 + C3 * (ω5_0 * ω5_0) + C4 * (ω6_0 * ω6_0);
             // constant of the inertia
             let C5 = l1 * l2 * m2;
@@ -303,7 +307,7 @@ pub mod six_bar {
             // constant of the inertia
             let C7 = -(l6 * m5 * l5_minus_r5 * 2.0);
             // inertia as assembled
-            let A_crank_0 = t16 + C5 * ω2_0 * t11 + C6 * ω2_0 * t10
+            let A_crank_0 = t17 + C5 * ω2_0 * t12 + C6 * ω2_0 * t11
                 + C7 * ω5_0 * ω6_0 * cos_φ5_0_minus_φ6_0;
             if !(l1 > 0.0) {
                 return Err(FAILURES[0].diagnostic(&[l1]));
@@ -444,7 +448,7 @@ pub mod six_bar {
                 l1_per_l3: l1 / l3,
                 r3,
                 C2,
-                constant2: t12,
+                constant2: t13,
                 l5_minus_l6_squared,
                 l5_plus_l6_squared,
                 s2_0,

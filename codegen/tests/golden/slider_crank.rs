@@ -138,12 +138,12 @@ pub mod slider_crank {
             let x_piston_0 = ε * t1.sqrt() + t3;
             let c_ψ_0 = (x_piston_0 - t3) / l;
             // angle of `rod` as assembled
-            let ψ_0 = s_ψ_0.atan2(c_ψ_0).unwrap_to(-0.2617993877991494);
-            let cos_ψ_0 = ψ_0.cos();
+            let ψ_0 = Real::atan2(s_ψ_0, c_ψ_0).unwrap_to(-0.2617993877991494);
+            let cos_ψ_0 = Real::cos(ψ_0);
             // rate as assembled
             let ω_ψ_0 = -(t3 / (l * cos_ψ_0));
             let t4 = 1.3089969389957472 - ψ_0;
-            let (t5, t6) = t4.sin_cos();
+            let (t5, t6) = Real::sin_cos(t4);
             // rate as assembled
             let ν_piston_0 = -(r * t5 / cos_ψ_0);
             // constant of the inertia

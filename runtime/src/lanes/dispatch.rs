@@ -53,11 +53,12 @@ impl Path {
     /// variable is read once; what it does not know it ignores.
     pub fn chosen() -> Self {
         static CHOSEN: OnceLock<Path> = OnceLock::new();
-        *CHOSEN.get_or_init(|| {
-            let asked = std::env::var(PATH_VARIABLE).ok();
-            let asked = asked.and_then(|name| Path::ALL.into_iter().find(|p| p.name() == name));
-            asked.map_or_else(Path::available, Path::or_available)
-        })
+        *CHOSEN.get_or_init(|| Path::asked(std::env::var(PATH_VARIABLE).ok().as_deref()))
+    }
+
+    fn asked(name: Option<&str>) -> Self {
+        let path = Path::ALL.into_iter().find(|path| Some(path.name()) == name);
+        path.map_or_else(Path::available, Path::or_available)
     }
 
     /// This path, or the widest one of this machine if that is less.
@@ -135,5 +136,35 @@ mod x86 {
     #[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
     pub(super) fn eight<K: Task>(task: K) -> K::Output {
         task.run::<F64x8>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::Lanes;
+
+    struct Width;
+
+    impl Task for Width {
+        type Output = usize;
+
+        fn run<T: Lanes>(self) -> usize {
+            T::COUNT
+        }
+    }
+
+    #[test]
+    fn no_path_is_beyond_the_machine() {
+        let available = Path::available();
+        for path in Path::ALL {
+            assert_eq!(path.or_available(), path.min(available));
+            assert_eq!(Path::asked(Some(path.name())), path.min(available));
+            assert_eq!(on_path(path, Width), path.or_available().lanes());
+            assert_eq!(on_path_alone(path, Width), 1);
+        }
+        assert_eq!(Path::asked(None), available);
+        assert_eq!(Path::asked(Some("sse9")), available);
+        assert_eq!(on_widest(Width), Path::chosen().lanes());
     }
 }

@@ -150,7 +150,7 @@ fn ln_2(bits: i64) -> Fixed {
     sum
 }
 
-/// The constants to `bits` places, computed once.
+/// The constants, computed once.
 pub struct Reference {
     pi: Fixed,
     ln_2: Fixed,
@@ -159,7 +159,7 @@ pub struct Reference {
 impl Reference {
     pub fn new() -> Self {
         Self {
-            pi: pi(2600),
+            pi: pi(5000),
             ln_2: ln_2(2600),
         }
     }
@@ -177,19 +177,12 @@ impl Reference {
         let bits = enough(x) + x.abs().log2().max(0.0) as i64;
         let half_pi = Self::cut(&self.pi, bits).over(2);
         let x = Fixed::new(x, bits);
-        let quarters: BigInt = {
-            let twice = (&x.value * 2 + &half_pi.value) / (&half_pi.value * 2);
-            twice - 1
-        };
-        let mut angle = x.minus(&Fixed {
+        let quarters: BigInt = &x.value / &half_pi.value;
+        let angle = x.minus(&Fixed {
             value: &half_pi.value * &quarters,
             bits,
         });
-        let mut quarter: i64 = (&quarters % 4i64).try_into().unwrap();
-        while angle.value > half_pi.value {
-            angle = angle.minus(&half_pi);
-            quarter += 1;
-        }
+        let quarter: i64 = (&quarters % 4i64).try_into().unwrap();
         let square = angle.times(&angle);
         let series = |mut term: Fixed, mut k: i64| {
             let mut sum = term.clone();
@@ -263,7 +256,8 @@ impl Reference {
 
     /// Direction of the vector (`x`, `y`).
     pub fn atan2(&self, y: f64, x: f64) -> Fixed {
-        let bits = 300 + 2200;
+        // Enough for the quotient, and for what it is of.
+        let bits = enough(y) + enough(x) + (y.abs() / x.abs()).log2().abs().min(2100.0) as i64;
         let (y_fixed, x_fixed) = (Fixed::new(y.abs(), bits), Fixed::new(x.abs(), bits));
         let pi = Self::cut(&self.pi, bits);
         let acute = if y.abs() <= x.abs() {
@@ -280,12 +274,9 @@ impl Reference {
 
     fn ln_fixed(&self, x: f64, bits: i64) -> Fixed {
         let n = x.log2().round() as i64;
+        let (mantissa, exponent) = parts(x);
         let m = Fixed {
-            value: Fixed::new(x, bits + 1100).value >> 0,
-            bits: bits + 1100 + n,
-        };
-        let m = Fixed {
-            value: shifted(&m.value, bits - m.bits),
+            value: shifted(&BigInt::from(mantissa), exponent - n + bits),
             bits,
         };
         let one = Fixed::of(1, bits);
