@@ -53,7 +53,8 @@ fn bound(statement: TokenStream) -> Vec<String> {
         .skip(1);
     match trees.next() {
         Some(TokenTree::Ident(name)) => vec![name.to_string()],
-        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
+        // A tuple or an array of names.
+        Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {
             let names = group.stream().into_iter().filter_map(|tree| match tree {
                 TokenTree::Ident(name) => Some(name.to_string()),
                 _ => None,
@@ -83,15 +84,18 @@ mod tests {
 
     #[test]
     fn blocks_give_what_is_used_after_them() {
-        let mut statements: Vec<TokenStream> = vec![quote!(let (a, b) = x.sin_cos();)];
-        statements.extend((1..LONGEST).map(|_| quote!(let c = a;)));
-        statements.push(quote!(dx[0] = b * a;));
+        let mut statements: Vec<TokenStream> = vec![
+            quote!(let [e] = p.table.values(x);),
+            quote!(let (a, b) = x.sin_cos();),
+        ];
+        statements.extend((2..LONGEST).map(|_| quote!(let c = a;)));
+        statements.push(quote!(dx[0] = b * a + e;));
         let blocks = in_blocks(statements);
         assert_eq!(blocks.len(), 2);
         let first = blocks[0].to_string();
-        assert!(first.starts_with("let (a , b ,) = { let (a , b) = x"));
-        assert!(first.ends_with("let c = a ; (a , b ,) } ;"));
-        assert_eq!(blocks[1].to_string(), "{ dx [0] = b * a ; }");
+        assert!(first.starts_with("let (e , a , b ,) = { let [e] = p . table . values (x) ; let"));
+        assert!(first.ends_with("let c = a ; (e , a , b ,) } ;"));
+        assert_eq!(blocks[1].to_string(), "{ dx [0] = b * a + e ; }");
     }
 
     #[test]
