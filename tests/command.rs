@@ -139,6 +139,28 @@ fn every_model_checks_derives_and_emits() {
 }
 
 #[test]
+fn tables_are_reported_and_can_be_turned_off() {
+    let here = folder("tables");
+    let file = model("double_rocker");
+    let checked = flexure(&here, &["check", &file]).is(0).out;
+    assert!(checked.contains("6 functions of degree"), "{checked}");
+    let rows = |more: &[&str]| {
+        let mut words = vec!["simulate", &file, "--until", "20us", "--dt", "1us"];
+        words.extend(more);
+        flexure(&here, &words).is(0).out
+    };
+    let (tabulated, exact) = (rows(&[]), rows(&["--exact"]));
+    assert_eq!(tabulated.lines().count(), exact.lines().count());
+    // They differ by rounding, and not by nothing: the switch does something.
+    assert_ne!(tabulated, exact);
+    // Andrews' mechanism turns all round.
+    let file = model("andrews");
+    flexure(&here, &["simulate", &file, "--until", "20ms"])
+        .is(0)
+        .says(&["steps were outside of the tables' intervals"]);
+}
+
+#[test]
 fn derive_shows_the_article_its_own_equations() {
     let here = folder("derive");
     let text = flexure(&here, &["derive", &model("double_rocker")])

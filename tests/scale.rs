@@ -23,11 +23,14 @@ struct Cost {
     lines: usize,
 }
 
-/// The operations that the right-hand side computes in each evaluation.
+/// The operations that the right-hand side computes in each evaluation, its functions of one
+/// coordinate in closed form.
 fn operations(program: &Program) -> usize {
     let values = &program.values;
     let mut seen = HashSet::new();
-    let mut stack: Vec<_> = program.rhs.roots().collect();
+    let configurations = program.configurations.iter();
+    let closed_forms = configurations.flat_map(|configuration| configuration.functions.roots());
+    let mut stack: Vec<_> = program.rhs.roots().chain(closed_forms).collect();
     while let Some(value) = stack.pop() {
         let is_moving = values.stage(value) >= Stage::Configuration;
         if values.is_computed(value) && is_moving && seen.insert(value) {

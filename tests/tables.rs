@@ -97,7 +97,7 @@ fn tables_are_where_they_pay() {
         ("double_rocker", &[6]),
         ("four_bar", &[2]),
         ("andrews", &[2]),
-        ("xy_stage", &[4, 3]),
+        ("xy_stage", &[4]),
         ("lugre_mass", &[]),
         ("msdm", &[]),
         ("pendulum", &[]),

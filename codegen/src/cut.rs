@@ -163,8 +163,11 @@ fn cost(values: &Values, roots: impl IntoIterator<Item = Value>) -> u32 {
     let all = order(values, roots, |value| {
         values.stage(value) >= Stage::Configuration
     });
+    let mut angles = BTreeSet::new();
     all.iter()
         .map(|value| match values.node(*value) {
+            // Sine and cosine of one angle are computed together.
+            Node::Apply(Operation::Sin | Operation::Cos, [angle, ..]) if !angles.insert(angle) => 2,
             Node::Apply(operation, _) => weight(operation),
             _ => 1,
         })

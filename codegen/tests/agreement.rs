@@ -1,8 +1,10 @@
-//! Oracle and tape give the same numbers, to rounding, at random states of every model.
+//! Oracle and tape give the same numbers, to rounding, at random states of every model: by tables
+//! where it has some, and in closed form.
 
 mod support;
 
 use flexure_model_dsl::equations::Equations;
+use flexure_runtime::system::System;
 use support::agreement::compare;
 
 fn check(equations: &Equations, states: usize) {
@@ -10,7 +12,12 @@ fn check(equations: &Equations, states: usize) {
     let tape = flexure_codegen::tape(&program);
     let params = tape.defaults();
     match tape.prepare(&params) {
-        Ok(prepared) => compare(equations, &params, &prepared, states),
+        Ok(prepared) => {
+            compare(equations, &params, &prepared, states);
+            if !prepared.tables().is_empty() {
+                compare(equations, &params, &prepared.exact(), states);
+            }
+        }
         Err(diagnostic) => panic!("{}: {diagnostic}", equations.name),
     }
 }

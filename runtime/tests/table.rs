@@ -19,13 +19,16 @@ fn fit(center: f64, half_width: f64, degree: usize) -> Fit {
 #[test]
 fn polynomials_and_closed_form() {
     let table = Table::<f64, 2>::new(&fit(1.0, 0.5, 3), 0);
-    let inside = table.values(1.25, || panic!("it is inside"));
-    assert_eq!(inside, [1.0 + 1.0 - 0.125, 0.25]);
+    assert!(table.covers(1.25));
+    let inside = [1.0 + 1.0 - 0.125, 0.25];
+    assert_eq!(table.polynomials(1.25), inside);
+    assert_eq!(table.where_covered(1.25, [7.0, 8.0]), inside);
     for outside in [0.5, 1.5, 2.0, f64::NAN] {
-        assert_eq!(table.values(outside, || [7.0, 8.0]), [7.0, 8.0]);
+        assert!(!table.covers(outside));
+        assert_eq!(table.where_covered(outside, [7.0, 8.0]), [7.0, 8.0]);
     }
     let none = Table::<f64, 2>::none();
-    assert_eq!(none.values(0.0, || [7.0, 8.0]), [7.0, 8.0]);
+    assert_eq!(none.where_covered(0.0, [7.0, 8.0]), [7.0, 8.0]);
 }
 
 #[test]
@@ -52,12 +55,11 @@ fn lanes_do_not_depend_on_each_other() {
         [0.7, -1.9, 5.0, -0.95],
     ] {
         let q = Portable::<4>::from_entries(|lane| coordinates[lane]);
-        let together = joined.values(q, || {
-            let each = coordinates.map(closed);
-            std::array::from_fn(|k| Portable::from_entries(|lane| each[lane][k]))
-        });
+        let each = coordinates.map(closed);
+        let exact = std::array::from_fn(|k| Portable::from_entries(|lane| each[lane][k]));
+        let together = joined.where_covered(q, exact);
         for (lane, table) in tables.iter().enumerate() {
-            let alone = table.values(coordinates[lane], || closed(coordinates[lane]));
+            let alone = table.where_covered(coordinates[lane], each[lane]);
             for k in 0..2 {
                 assert_eq!(together[k].entry(lane).to_bits(), alone[k].to_bits());
             }

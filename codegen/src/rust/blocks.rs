@@ -90,7 +90,8 @@ fn bound(statement: TokenStream) -> Vec<String> {
         .skip(1);
     match trees.next() {
         Some(TokenTree::Ident(name)) => vec![name.to_string()],
-        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
+        // A tuple or an array of names.
+        Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {
             let names = group.stream().into_iter().filter_map(|tree| match tree {
                 TokenTree::Ident(name) => Some(name.to_string()),
                 _ => None,
@@ -120,16 +121,19 @@ mod tests {
 
     #[test]
     fn blocks_give_what_is_used_after_them() {
-        let mut statements: Vec<TokenStream> = vec![quote!(let (a, b) = x.sin_cos();)];
-        statements.extend((1..LONGEST - 9).map(|_| quote!(let f = a;)));
+        let mut statements: Vec<TokenStream> = vec![
+            quote!(let [a] = p.table.values(x);),
+            quote!(let (b, d) = x.sin_cos();),
+        ];
+        statements.extend((2..LONGEST - 9).map(|_| quote!(let f = d;)));
         statements.push(quote!(let c = 1.0;));
         statements.extend((0..9).map(|_| quote!(let e = c;)));
-        statements.push(quote!(dx[0] = b * e;));
+        statements.push(quote!(dx[0] = a * b * e;));
         let blocks = in_blocks(statements);
         assert_eq!(blocks.len(), 2);
         let [first, second] = [0, 1].map(|block| blocks[block].to_string());
-        assert!(first.starts_with("let (b ,) = { let (a , b) = x"));
-        assert!(first.ends_with("let f = a ; (b ,) } ;"));
+        assert!(first.starts_with("let (a , b ,) = { let [a] = p"));
+        assert!(first.ends_with("let f = d ; (a , b ,) } ;"));
         assert!(second.starts_with("{ let c = 1.0 ; let e = c ;"));
     }
 

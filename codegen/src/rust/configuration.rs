@@ -80,7 +80,11 @@ pub(super) fn tabulated(writer: &Writer<'_>, body: &mut Body<'_, '_>) {
         let table = ident(&table_field(program, configuration));
         let function = ident(&function_name(program, configuration));
         body.push(quote! {
-            let [#(#names),*] = p.#table.values(#coordinate, || #function(#coordinate, d, p));
+            let [#(#names),*] = if p.#table.covers(#coordinate) {
+                p.#table.polynomials(#coordinate)
+            } else {
+                p.#table.where_covered(#coordinate, #function(#coordinate, d, p))
+            };
         });
     }
 }

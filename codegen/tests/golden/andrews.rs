@@ -1305,9 +1305,11 @@ pub mod andrews {
     ) {
         let β = x[0];
         let dβ = x[1];
-        let [ddβ_of_β, ddβ_per_dβ_squared] = p
-            .table_of_β
-            .values(β, || functions_of_β(β, d, p));
+        let [ddβ_of_β, ddβ_per_dβ_squared] = if p.table_of_β.covers(β) {
+            p.table_of_β.polynomials(β)
+        } else {
+            p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+        };
         // ── state ──
         let ddβ = ddβ_of_β + ddβ_per_dβ_squared * (dβ * dβ);
         dx[0] = dβ;

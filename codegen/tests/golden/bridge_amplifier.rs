@@ -516,9 +516,11 @@ pub mod bridge_amplifier {
         let φ1 = x[0];
         let dφ1 = x[1];
         let [dL_piezo_dφ1, e_piezo, per_A_dP_s_dφ1, ddφ1_per_F_piezo, ddφ1_per_dφ1,
-        ddφ1_per_dφ1_squared] = p
-            .table_of_φ1
-            .values(φ1, || functions_of_φ1(φ1, d, p));
+        ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         // ── state ──
         let t1 = p.constant3 * t;
         let (t2, t3) = t1.sin_cos();

@@ -995,9 +995,11 @@ pub mod double_rocker {
         let xp_cycle = d[2];
         let xp_falling = d[3];
         let [x_A, dv_ddφ1, ddφ1_of_φ1, ddφ1_per_F_joint, ddφ1_per_F_f,
-        ddφ1_per_dφ1_squared] = p
-            .table_of_φ1
-            .values(φ1, || functions_of_φ1(φ1, d, p));
+        ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         // ── configuration ──
         // force of `joint` on its second end
         let F_joint = p.ku * (x_stack - x_A);

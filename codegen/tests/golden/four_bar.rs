@@ -563,9 +563,11 @@ pub mod four_bar {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [per_A_dP_dφ1, ddφ1_per_dφ1_squared] = p
-            .table_of_φ1
-            .values(φ1, || functions_of_φ1(φ1, d, p));
+        let [per_A_dP_dφ1, ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         // ── state ──
         let ddφ1 = ddφ1_per_dφ1_squared * (dφ1 * dφ1) - per_A_dP_dφ1;
         dx[0] = dφ1;

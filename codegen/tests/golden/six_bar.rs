@@ -1025,9 +1025,14 @@ pub mod six_bar {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [per_A, per_A_dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared] = p
+        let [per_A, per_A_dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared] = if p
             .table_of_φ1
-            .values(φ1, || functions_of_φ1(φ1, d, p));
+            .covers(φ1)
+        {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         // ── state ──
         let t1 = ddφ1_per_dφ1 * dφ1 - per_A_dP_dφ1
             + ddφ1_per_dφ1_squared * (dφ1 * dφ1);

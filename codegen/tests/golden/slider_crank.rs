@@ -467,9 +467,14 @@ pub mod slider_crank {
     ) {
         let φ = x[0];
         let dφ = x[1];
-        let [per_A, per_A_dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared] = p
+        let [per_A, per_A_dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared] = if p
             .table_of_φ
-            .values(φ, || functions_of_φ(φ, d, p));
+            .covers(φ)
+        {
+            p.table_of_φ.polynomials(φ)
+        } else {
+            p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+        };
         // ── state ──
         let ddφ = ddφ_per_dφ * dφ - per_A_dP_dφ + ddφ_per_dφ_squared * (dφ * dφ)
             + per_A * (p.torque * (p.constant1 * t).sin() - p.c * dφ);

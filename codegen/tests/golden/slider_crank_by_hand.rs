@@ -82,7 +82,7 @@ pub mod slider_crank_by_hand {
             let β = self.β;
             let r_squared = r * r;
             let l_squared = l * l;
-            let (sin_β, cos_β) = β.sin_cos();
+            let (sin_β, cos_β) = Real::sin_cos(β);
             // inertia
             let J = r_squared * type_;
             if !(l - r > 0.0) {
@@ -94,7 +94,7 @@ pub mod slider_crank_by_hand {
                 &[1.0],
                 &mut |unknowns, residuals, derivatives| {
                     let θ = unknowns[0];
-                    let (sin_θ, cos_θ) = θ.sin_cos();
+                    let (sin_θ, cos_θ) = Real::sin_cos(θ);
                     let lifted = θ + sin_θ * 0.5;
                     let dlifted_dθ = cos_θ * 0.5 + 1.0;
                     residuals[0] = lifted - β;
@@ -105,9 +105,11 @@ pub mod slider_crank_by_hand {
             if solved.is_err() {
                 return Err(FAILURES[1].diagnostic(&[β]));
             }
-            let sin_θ_2 = θ.sin();
-            let t1 = (-(r * sin_θ_2 / l))
-                .atan2((1.0 - r_squared * (sin_θ_2 * sin_θ_2) / l_squared).sqrt());
+            let sin_θ_2 = Real::sin(θ);
+            let t1 = Real::atan2(
+                -(r * sin_θ_2 / l),
+                (1.0 - r_squared * (sin_θ_2 * sin_θ_2) / l_squared).sqrt(),
+            );
             let mut prepared = Prepared {
                 start_states: [θ, 0.0],
                 start_discretes: [0.0, 0.5, t1],
@@ -288,7 +290,11 @@ pub mod slider_crank_by_hand {
         let n = d[0];
         let level = d[1];
         let u_2 = u[0];
-        let [t1] = p.table_of_φ1.values(φ1, || functions_of_φ1(φ1, d, p));
+        let [t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         // ── configuration ──
         let t2 = φ1 * 0.25 + 0.5;
         // ── state ──

@@ -226,7 +226,6 @@ pub mod xy_stage {
                 half_ks: ks * 0.5,
                 two_k: k * 2.0,
                 table_of_φ1: Table::none(),
-                table_of_φ2: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -235,12 +234,6 @@ pub mod xy_stage {
                 &COORDINATES,
                 0,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
-            );
-            prepared.table_of_φ2 = Table::fit(
-                &prepared,
-                &COORDINATES,
-                1,
-                |φ2, d| { functions_of_φ2(φ2, array(d), &prepared) },
             );
             Ok(prepared)
         }
@@ -296,8 +289,6 @@ pub mod xy_stage {
         pub two_k: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 4>,
-        /// [`functions_of_φ2`] near the start.
-        pub table_of_φ2: Table<T, 3>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -327,7 +318,6 @@ pub mod xy_stage {
                 half_ks: turn(self.half_ks),
                 two_k: turn(self.two_k),
                 table_of_φ1: self.table_of_φ1.map(&turn),
-                table_of_φ2: self.table_of_φ2.map(&turn),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -365,7 +355,6 @@ pub mod xy_stage {
                 half_ks: join(self.half_ks, other.half_ks),
                 two_k: join(self.two_k, other.two_k),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
-                table_of_φ2: self.table_of_φ2.zip(&other.table_of_φ2, &join),
             }
         }
     }
@@ -374,7 +363,6 @@ pub mod xy_stage {
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
-                table_of_φ2: Table::none(),
                 ..self
             }
         }
@@ -392,14 +380,6 @@ pub mod xy_stage {
         let y_T = p.l * (t3 * ((φ1 - 1.5707963267948966) * 0.5).sin() * 2.0);
         [cos_φ1, sin_φ1, x_F1, y_T]
     }
-    /// What [`rhs`] needs that depends on `φ2` and params alone, in closed form.
-    #[inline(always)]
-    pub fn functions_of_φ2<T: Real>(φ2: T, d: &[T; 0], p: &Prepared<T>) -> [T; 3] {
-        let (sin_φ2, cos_φ2) = φ2.sin_cos();
-        let half_φ2 = φ2 * 0.5;
-        let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
-        [cos_φ2, sin_φ2, p.l * (cos_half_φ2 * sin_half_φ2 * 2.0)]
-    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -414,13 +394,13 @@ pub mod xy_stage {
         let dφ1 = x[1];
         let φ2 = x[2];
         let dφ2 = x[3];
-        let [cos_φ1, sin_φ1, x_F1, y_T] = p
-            .table_of_φ1
-            .values(φ1, || functions_of_φ1(φ1, d, p));
-        let [cos_φ2, sin_φ2, t1] = p
-            .table_of_φ2
-            .values(φ2, || functions_of_φ2(φ2, d, p));
+        let [cos_φ1, sin_φ1, x_F1, y_T] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         // ── configuration ──
+        let (sin_φ2, cos_φ2) = φ2.sin_cos();
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         // inertia
         let M12 = p.half_C2 * cos_φ1_minus_φ2;
@@ -436,37 +416,39 @@ pub mod xy_stage {
         // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
+        let half_φ2 = φ2 * 0.5;
+        let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
-        let y_P1 = y_T + t1;
+        let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
         // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
         // ── state ──
-        let t2 = p.constant1 * t;
-        let (t3, t4) = t2.sin_cos();
+        let t1 = p.constant1 * t;
+        let (t2, t3) = t1.sin_cos();
         // drive `ux`
-        let ux = p.stroke * t3;
+        let ux = p.stroke * t2;
         // rate of the drive `ux`
-        let dux = p.constant2 * t4;
+        let dux = p.constant2 * t3;
         // force of `x_stack` on its second end
         let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         // centrifugal and Coriolis terms
         let h1 = dM12_dφ2 * (dφ2 * dφ2);
-        let t5 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
-        let t6 = p.constant3 * t;
-        let (t7, t8) = t6.sin_cos();
+        let t4 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
+        let t5 = p.constant3 * t;
+        let (t6, t7) = t5.sin_cos();
         // drive `uy`
-        let uy = p.stroke * t7;
+        let uy = p.stroke * t6;
         // rate of the drive `uy`
-        let duy = p.constant4 * t8;
+        let duy = p.constant4 * t7;
         // force of `y_stack` on its second end
         let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
         // generalized torque of all other forces
         let τ2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
         // centrifugal and Coriolis terms
         let h2 = dM12_dφ1 * (dφ1 * dφ1);
-        let t9 = dP_s_dφ2 - τ2 + h2;
-        let ddφ1 = -(per_det_M * (p.C1 * t5 - M12 * t9));
-        let ddφ2 = -(per_det_M * (p.C0 * t9 - M12 * t5));
+        let t8 = dP_s_dφ2 - τ2 + h2;
+        let ddφ1 = -(per_det_M * (p.C1 * t4 - M12 * t8));
+        let ddφ2 = -(per_det_M * (p.C0 * t8 - M12 * t4));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -834,13 +816,10 @@ pub mod xy_stage {
             NAMES[index]
         }
         fn tables(&self) -> Vec<TableReport> {
-            [self.table_of_φ1.report(0), self.table_of_φ2.report(2)]
-                .into_iter()
-                .flatten()
-                .collect()
+            [self.table_of_φ1.report(0)].into_iter().flatten().collect()
         }
         fn is_outside_tables(&self, x: &[f64]) -> bool {
-            self.table_of_φ1.is_left_by(x[0]) || self.table_of_φ2.is_left_by(x[2])
+            self.table_of_φ1.is_left_by(x[0])
         }
     }
     impl LaneSystem for Prepared<f64> {

@@ -156,20 +156,22 @@ impl<T: Copy, const N: usize> Table<T, N> {
 }
 
 impl<T: Real, const N: usize> Table<T, N> {
-    /// The functions at a value of their coordinate: `closed_form` gives them outside of the
-    /// interval. What a lane gets does not depend on the others.
+    /// Whether a value of the coordinate is inside the interval, in every lane.
     #[inline(always)]
-    pub fn values(&self, coordinate: T, closed_form: impl FnOnce() -> [T; N]) -> [T; N] {
+    pub fn covers(&self, coordinate: T) -> bool {
+        self.inside(coordinate).all_positive()
+    }
+
+    /// The polynomials in lanes that are inside the interval, what `closed_form` gave in the others:
+    /// what a lane gets does not depend on its neighbours.
+    #[inline(always)]
+    pub fn where_covered(&self, coordinate: T, closed_form: [T; N]) -> [T; N] {
         let inside = self.inside(coordinate);
-        if inside.all_positive() {
-            return self.polynomials(coordinate);
-        }
-        let exact = closed_form();
         if !inside.any_positive() {
-            return exact;
+            return closed_form;
         }
         let near = self.polynomials(coordinate);
-        std::array::from_fn(|k| inside.if_positive(near[k], exact[k]))
+        std::array::from_fn(|k| inside.if_positive(near[k], closed_form[k]))
     }
 
     /// Positive where the coordinate is inside the interval.
