@@ -1,6 +1,6 @@
 //! Ensembles: every trajectory is the one that `simulate` gives, whatever runs beside it.
 
-use flexure_models::{double_rocker};
+use flexure_models::double_rocker;
 use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::lanes::{LaneSystem, Lanes, Portable};
 use flexure_runtime::simulate::{Ensemble, Trajectory, TrajectoryFailure, ensemble, simulate};
@@ -82,7 +82,6 @@ fn adaptive_steps_are_those_of_simulate() {
 #[test]
 fn results_depend_on_no_neighbour() {
     let systems = actuators(7);
-    let samples = |index: usize| vec![0.4e-3 + 1e-5 * index as f64, 1e-3];
     for step in [None, Some(5e-7)] {
         let runs = |systems: &[_]| {
             let runs = all(systems).until(1.1e-3).samples(&[0.4e-3, 1e-3]);
@@ -109,5 +108,43 @@ fn results_depend_on_no_neighbour() {
         others.reverse();
         assert_same(&widest, &others);
     }
-    let _ = samples;
+}
+
+#[test]
+fn tapes_run_in_lanes_as_alone() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/models/double_rocker.flex");
+    let model = flexure::Model::from_path(path).unwrap();
+    let systems: Vec<_> = (0..3)
+        .map(|i| {
+            let mut design = model.design();
+            design.set("f", 900.0 + 150.0 * f64::from(i)).unwrap();
+            design.prepare().unwrap()
+        })
+        .collect();
+    let outcomes = on::<Portable<4>, _>(all(&systems).until(1.2e-3).rtol(1e-6));
+    for (system, outcome) in systems.iter().zip(&outcomes) {
+        let run = simulate(system).until(1.2e-3).rtol(1e-6).run().unwrap();
+        assert_eq!(&done(outcome).summary, run.summary());
+    }
+    let fixed = on::<Portable<4>, _>(all(&systems).until(2e-4).dt(1e-6));
+    for (system, outcome) in systems.iter().zip(&fixed) {
+        let run = simulate(system).until(2e-4).dt(1e-6).run().unwrap();
+        assert_eq!(&done(outcome).summary, run.summary());
+    }
+}
+
+#[test]
+fn paths_agree_where_the_motion_is_not_chaotic() {
+    let systems = actuators(5);
+    let runs = || all(&systems).until(1e-3).dt(4e-7);
+    let plain = on::<f64, _>(runs());
+    for (a, b) in plain.iter().zip(&runs().collect()) {
+        let (a, b) = (&done(a).summary.state, &done(b).summary.state);
+        assert!(
+            (a[4] - b[4]).abs() <= 1e-9 * a[4].abs(),
+            "{} {}",
+            a[4],
+            b[4]
+        );
+    }
 }
