@@ -10,7 +10,8 @@ use flexure_model_dsl::source::Source;
 use flexure_model_dsl::suggest::closest;
 use flexure_model_dsl::units::{Dimension, Mark, parse_quantity};
 use flexure_runtime::diagnostic::Diagnostic;
-use flexure_runtime::system::{System, Variable};
+use flexure_runtime::lanes::LaneSystem;
+use flexure_runtime::system::Variable;
 use flexure_runtime::tape::TapeModel;
 use num_traits::ToPrimitive;
 
@@ -267,7 +268,7 @@ impl Design {
     /// # Errors
     ///
     /// What is wrong with the parameter set: a loop that cannot close, a negative mass.
-    pub fn prepare(&self) -> Result<impl System + Clone + use<>, Diagnostic> {
+    pub fn prepare(&self) -> Result<impl LaneSystem + Clone + use<>, Diagnostic> {
         let prepared = self.model.inner.tape.prepare(&self.values)?;
         Ok(if self.is_exact {
             prepared.exact()

@@ -189,12 +189,12 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         if !self.pass_kinks()? {
             self.rates()?;
         }
+        self.stops.pass(&self.flow, self.t, &self.x, &self.d);
         let first_break = self.next_break() - self.t;
         if let Pace::Adaptive(control) = &mut self.pace {
             control.start(self.flow.own(&self.x), first_break);
         }
         recorded(self.rows.start(&self.flow, self.t, &self.x, &self.d))?;
-        self.stops.pass(&self.flow, self.t, &self.x, &self.d);
         self.watch_loops()
     }
 

@@ -31,7 +31,25 @@ const AT_ONCE: usize = 256;
 /// Starts to describe the runs of many `systems`, from their start states at t = 0;
 /// [`Ensemble::run`] does them. A parameter set that was refused has its place among the results.
 ///
-/// Lanes lay parameter sets side by side: all systems must be of one model.
+/// Each run is the one that [`simulate`](super::simulate()) gives: kinks of drives and samples at
+/// the end of a step, events located, the same choice of steps. On lanes of plain numbers the two
+/// agree to the last bit where no samples are taken, else to the rounding of the lanes' functions.
+///
+/// All systems must be of one model: lanes lay their parameter sets side by side.
+///
+/// ```
+/// use flexure_runtime::lanes::LaneSystem;
+/// use flexure_runtime::{diagnostic::Diagnostic, ensemble};
+///
+/// /// Final first states, in order, of designs of any model; `None` for those that fail.
+/// fn ends<S: LaneSystem>(designs: Vec<Result<S, Diagnostic>>) -> Vec<Option<f64>> {
+///     let mut ends = Vec::new();
+///     ensemble(designs).until(0.02).rtol(1e-7).threads(2).run(|_, outcome| {
+///         ends.push(outcome.ok().map(|done| done.summary.state[0]));
+///     });
+///     ends
+/// }
+/// ```
 pub fn ensemble<'a, S, I>(systems: I) -> Ensemble<'a, I::IntoIter>
 where
     S: LaneSystem,
@@ -46,7 +64,7 @@ where
     }
 }
 
-/// Runs to be done. `systems` is read as they are needed, so that it may be endless in memory.
+/// Runs to be done. Systems are asked for as they are needed, some hundreds ahead.
 pub struct Ensemble<'a, I> {
     systems: I,
     settings: Settings,
