@@ -1,9 +1,7 @@
 //! Right-hand sides on lanes: every path, in any company, computes what plain numbers do.
 
-use std::cell::{Cell, RefCell};
-
 use flexure_models::double_rocker::{Params, Prepared, rhs};
-use flexure_runtime::lanes::{Lanes, Path, Task, on_path, on_path_alone};
+use flexure_runtime::lanes::{LaneSystem, Lanes, Path, Task, on_path, on_path_alone};
 use proptest::prelude::*;
 
 /// Rates of the states of one trajectory each.
@@ -20,14 +18,9 @@ impl Task for Rates<'_> {
         let mut results = Vec::new();
         for first in (0..self.states.len()).step_by(T::COUNT) {
             let index = |lane: usize| (first + lane).min(self.states.len() - 1);
-            let mut prepared = self.designs[first].map(T::from_f64);
+            let mut prepared = self.designs[first].in_every_lane::<T>();
             for lane in 0..T::COUNT {
-                let entries = fields(&self.designs[index(lane)]);
-                let next = Cell::new(0);
-                prepared = prepared.map(|mut lanes| {
-                    lanes.set_entry(lane, entries[next.replace(next.get() + 1)]);
-                    lanes
-                });
+                self.designs[index(lane)].put_in_lane(lane, &mut prepared);
             }
             let x = std::array::from_fn(|i| T::from_entries(|lane| self.states[index(lane)][i]));
             let mut dx = [T::from_f64(0.0); 7];
@@ -38,13 +31,6 @@ impl Task for Rates<'_> {
         }
         results
     }
-}
-
-/// Every number of a parameter set, in the order of [`Prepared::map`].
-fn fields(prepared: &Prepared<f64>) -> Vec<f64> {
-    let fields = RefCell::new(Vec::new());
-    prepared.map(|value| fields.borrow_mut().push(value));
-    fields.into_inner()
 }
 
 prop_compose! {
