@@ -5,6 +5,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
+use flexure::runtime::diagnostic::Diagnostic;
+use flexure::runtime::lanes::{LaneSystem, Path};
 use flexure::runtime::system::System;
 use flexure::simulate;
 use flexure_models::double_rocker::{self, Params, Prepared};
@@ -12,6 +14,8 @@ use flexure_models::double_rocker::{self, Params, Prepared};
 use crate::baseline::Baseline;
 use crate::recorded::peak_memory;
 use crate::study::{End, Method, Outcome, STAGE_X, Study};
+
+const MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/models/double_rocker.flex");
 
 /// The methods that an implementation has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,12 +110,23 @@ pub fn all(c: Option<&Baseline>) -> Vec<Implementation> {
             })
         },
     ));
+    let mut ensemble = Implementation::new("flexure compiled ensemble", Has::Both, |study| {
+        ensembled(study, &Params::prepare)
+    });
+    ensemble.lanes = Path::chosen().lanes();
+    all.push(ensemble);
+    let mut ensemble = Implementation::new("flexure tape ensemble", Has::Both, |study| {
+        let model = flexure::Model::from_path(MODEL).map_err(|why| why.to_string())?;
+        let prepare = |design: &Params| model.tape().prepare(&design.values());
+        ensembled(study, &prepare)
+    });
+    ensemble.lanes = Path::chosen().lanes();
+    all.push(ensemble);
     all.push(Implementation::new(
         "flexure tape simulate",
         Has::Both,
         |study| {
-            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/models/double_rocker.flex");
-            let model = flexure::Model::from_path(path).map_err(|why| why.to_string())?;
+            let model = flexure::Model::from_path(MODEL).map_err(|why| why.to_string())?;
             shared_out(study, &|design| {
                 let system = model
                     .tape()
@@ -168,6 +183,40 @@ fn shared_out(
         outcome.evaluations += evaluations;
     }
     Ok(outcome)
+}
+
+/// All runs by `flexure::ensemble`.
+fn ensembled<S: LaneSystem>(
+    study: &Study,
+    prepare: &dyn Fn(&Params) -> Result<S, Diagnostic>,
+) -> Result<Outcome, String> {
+    let times: Vec<(f64, f64)> = study.designs.iter().map(|d| study.times(d)).collect();
+    let ensemble = flexure::ensemble(study.designs.iter().map(prepare))
+        .until_each(|index| times[index].1)
+        .samples_each(|index| vec![times[index].0])
+        .threads(study.threads);
+    let ensemble = match study.method {
+        Method::Equal(step) => ensemble.dt(step),
+        Method::Adaptive(tolerance) => ensemble.rtol(tolerance),
+    };
+    let (mut outcome, mut failure) = (Outcome::default(), None);
+    let before = peak_memory();
+    let start = Instant::now();
+    ensemble.run(|_, done| match done {
+        Ok(done) => {
+            let mut end = End::default();
+            if let Some(sample) = done.samples.first() {
+                end.from = sample.state[STAGE_X];
+            }
+            end.state.copy_from_slice(&done.summary.state);
+            outcome.evaluations += done.summary.statistics.evaluations;
+            outcome.ends.push(end);
+        }
+        Err(why) => failure = Some(why.diagnostic().message),
+    });
+    outcome.seconds = start.elapsed().as_secs_f64();
+    outcome.memory = before.and_then(|peak| peak.grown());
+    failure.map_or(Ok(outcome), Err)
 }
 
 /// A run by `flexure::simulate`.

@@ -28,6 +28,10 @@ use worker::{Job, Outcome, Queue, Worker};
 /// Trajectories for each thread that are in memory at once.
 const AT_ONCE: usize = 256;
 
+/// Stack of a thread in bytes. Without optimisation every number of a right-hand side in lanes, with
+/// all that is inlined, has a place of its own there: more than threads have by default.
+const STACK: usize = 64 << 20;
+
 /// Starts to describe the runs of many `systems`, from their start states at t = 0;
 /// [`Ensemble::run`] does them. A parameter set that was refused has its place among the results.
 ///
@@ -178,14 +182,11 @@ where
             count => count,
         };
         // Where the system refuses threads, the caller's own does all the work.
-        let pool = (threads > 1)
-            .then(|| {
-                rayon::ThreadPoolBuilder::new()
-                    .num_threads(threads)
-                    .build()
-                    .ok()
-            })
-            .flatten();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .stack_size(STACK)
+            .build()
+            .ok();
         let workers = if pool.is_some() { threads } else { 1 };
         let mut first = 0;
         let mut jobs = self.jobs(0, workers);
