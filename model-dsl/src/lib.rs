@@ -2,6 +2,7 @@
 mod compile;
 pub mod equations;
 pub mod expand;
+mod groups;
 pub mod mechanics;
 pub mod model;
 pub mod notation;

@@ -13,6 +13,7 @@
 //! platform's angle the platform is placed, with one of them the other follows from a loop.
 
 use super::{Reported, Resolved, Resolver};
+use crate::groups::Groups;
 use crate::model::{Body, BodyId, BodyKind, GROUND, Guess, Local, Pin, Slide};
 use crate::source::Span;
 use crate::symbolic::Expr;
@@ -232,28 +233,5 @@ impl Resolver<'_> {
                 g.add(from[axis], by[axis])
             }
         })
-    }
-}
-
-/// Bodies in groups, each led by its first.
-#[derive(Clone)]
-struct Groups(Vec<BodyId>);
-
-impl Groups {
-    fn new(bodies: usize) -> Self {
-        Self((0..bodies).collect())
-    }
-
-    fn lead(&self, body: BodyId) -> BodyId {
-        let mut lead = body;
-        while self.0[lead] != lead {
-            lead = self.0[lead];
-        }
-        lead
-    }
-
-    fn join(&mut self, a: BodyId, b: BodyId) {
-        let (a, b) = (self.lead(a), self.lead(b));
-        self.0[a.max(b)] = a.min(b);
     }
 }

@@ -20,6 +20,7 @@ mod search;
 
 use flexure_runtime::diagnostic::Diagnostic;
 
+use crate::groups::Groups;
 use crate::model::{BodyId, BodyKind, GROUND, Local, Model};
 pub(crate) use faults::{bodies_named, coordinate_named, joints_named};
 pub(crate) use held::held_parallel;
@@ -345,44 +346,40 @@ struct Component {
 /// The components of a model, each joined to ground.
 fn components(model: &Model) -> Result<Vec<Component>, Vec<Diagnostic>> {
     let count = model.bodies.len();
-    let mut group: Vec<usize> = (0..count).collect();
+    let mut groups = Groups::new(count);
     let mut grounded = vec![false; count];
-    let mut join = |a: BodyId, b: BodyId, group: &mut Vec<usize>| {
+    let mut join = |a: BodyId, b: BodyId| {
         if a == GROUND || b == GROUND {
             grounded[a.max(b)] = true;
-            return;
+        } else {
+            groups.join(a, b);
         }
-        let (keep, drop) = (group[a].min(group[b]), group[a].max(group[b]));
-        group
-            .iter_mut()
-            .filter(|g| **g == drop)
-            .for_each(|g| *g = keep);
     };
     for pin in &model.pins {
         for pair in pin.members.windows(2) {
-            join(pair[0].0, pair[1].0, &mut group);
+            join(pair[0].0, pair[1].0);
         }
         // A pin on ground grounds every member.
         if pin.members.iter().any(|(body, _)| *body == GROUND) {
             for (body, _) in &pin.members {
-                join(GROUND, *body, &mut group);
+                join(GROUND, *body);
             }
         }
     }
     for (id, body) in model.bodies.iter().enumerate() {
         if let BodyKind::Slide(slide) = &body.kind {
-            join(id, slide.carrier, &mut group);
+            join(id, slide.carrier);
         }
     }
     let mut members: Vec<Vec<BodyId>> = vec![Vec::new(); count];
     for body in 1..count {
-        members[group[body]].push(body);
+        members[groups.lead(body)].push(body);
     }
     // A pin on several bodies belongs to the component of those that are not ground.
     let mut pinned = vec![0; count];
     for pin in &model.pins {
         if let Some((body, _)) = pin.members.iter().find(|(body, _)| *body != GROUND) {
-            pinned[group[*body]] += pin.members.len() - 1;
+            pinned[groups.lead(*body)] += pin.members.len() - 1;
         }
     }
     let mut errors = Vec::new();

@@ -562,23 +562,28 @@ impl<'m> Search<'m> {
             .copied()
             .filter(|body| !self.known[*body])
             .collect();
-        let before = trial.steps.len();
-        for unknown in &unknowns {
-            trial.known[*unknown] = true;
-        }
-        trial.place_all();
-        trial.leftover_joints();
-        let ways: Vec<Way> = trial
-            .steps
-            .drain(before..)
-            .flat_map(|step| step.ways().to_vec())
-            .collect();
+        let ways = trial.ways_with_all_known(bodies);
         if ways.len() * 2 != unknowns.len() || !trial.is_placed(bodies) {
             return Err(faults::overconstrained(self.model, &unknowns));
         }
         *self = trial;
         self.steps.push(Step::Together { ways, unknowns });
         Ok(())
+    }
+
+    /// The loops that are left once all variables of `bodies` are taken as known and the bodies
+    /// placed by them: one for each joint beside the tree.
+    fn ways_with_all_known(&mut self, bodies: &[BodyId]) -> Vec<Way> {
+        let before = self.steps.len();
+        for &body in bodies {
+            self.known[body] = true;
+        }
+        self.place_all();
+        self.leftover_joints();
+        self.steps
+            .drain(before..)
+            .flat_map(|step| step.ways().to_vec())
+            .collect()
     }
 
     /// Joints between placed bodies that nothing used yet: each is a loop without unknowns.

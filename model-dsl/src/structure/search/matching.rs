@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use super::{BodyId, Search, Way};
+use super::{BodyId, Search};
 use crate::structure::turning_link;
 
 impl Search<'_> {
@@ -23,17 +23,7 @@ impl Search<'_> {
     /// For each equation of the loops that are left, the unknown variables in it but one.
     fn equations(&self, bodies: &[BodyId], spared: BodyId) -> Vec<Vec<BodyId>> {
         let mut trial = self.clone();
-        let before = trial.steps.len();
-        for &body in bodies {
-            trial.known[body] = true;
-        }
-        trial.place_all();
-        trial.leftover_joints();
-        let ways: Vec<Way> = trial
-            .steps
-            .drain(before..)
-            .flat_map(|step| step.ways().to_vec())
-            .collect();
+        let ways = trial.ways_with_all_known(bodies);
         let structure = trial.so_far();
         let mut equations = Vec::new();
         for way in ways {
