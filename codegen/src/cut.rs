@@ -28,8 +28,11 @@ const ENTRY: u32 = 6;
 /// More functions than this are not tabulated for one coordinate.
 const MOST: usize = 24;
 
-/// Takes the functions of one coordinate out of the rates of `program`, where it pays.
+/// Takes the functions of one coordinate out of the rates of `program`, where it pays, and out of
+/// what ends a step.
 pub(crate) fn cut(program: &mut Program) {
+    (program.accept_by_tables, program.closures_by_tables) =
+        (program.accept.clone(), program.closures.clone());
     let plain = program.rhs.clone();
     let folded = Folding::new(program).fold();
     let count = |function: &Function| -> usize {
@@ -53,10 +56,21 @@ pub(crate) fn cut(program: &mut Program) {
         return;
     }
     program.names.extend(folded.names);
+    let mut at_ends = [&program.accept, &program.closures].map(|f| boundary(&program.values, f));
     let mut leaves = HashMap::new();
-    for (coordinate, values) in paying {
+    for (coordinate, mut values) in paying {
+        let rates = values.len();
+        for cuts in &mut at_ends {
+            let others = cuts.remove(&coordinate).unwrap_or_default();
+            for value in others {
+                if values.len() < MOST && !values.contains(&value) {
+                    values.push(value);
+                }
+            }
+        }
         let mut configuration = Configuration {
             coordinate,
+            rates,
             functions: Function::default(),
             leaves: Vec::with_capacity(values.len()),
         };
@@ -74,7 +88,9 @@ pub(crate) fn cut(program: &mut Program) {
         }
         program.configurations.push(configuration);
     }
-    program.rhs = replaced(program, &rates, leaves);
+    program.rhs = replaced(program, &rates, leaves.clone());
+    program.accept_by_tables = replaced(program, &program.accept.clone(), leaves.clone());
+    program.closures_by_tables = replaced(program, &program.closures.clone(), leaves);
 }
 
 /// For each value that depends on nothing but params, turn references and at most one coordinate:

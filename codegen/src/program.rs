@@ -70,6 +70,10 @@ pub struct Program {
     pub turning: Vec<usize>,
     /// Closures of the loops.
     pub closures: Function,
+    /// Discrete states after an accepted step, with the functions that tables give.
+    pub accept_by_tables: Function,
+    /// Closures of the loops, with the functions that tables give.
+    pub closures_by_tables: Function,
     /// Names of the loops.
     pub loop_names: Vec<String>,
 }
@@ -154,9 +158,12 @@ impl Function {
 pub struct Configuration {
     /// Position of the coordinate among the states.
     pub coordinate: u32,
+    /// Number of those that rates are computed of. They come first; the others are angles and
+    /// closures, for the end of a step.
+    pub rates: usize,
     /// Their closed forms.
     pub functions: Function,
-    /// What stands for each of them in the right-hand side.
+    /// What stands for each of them.
     pub leaves: Vec<Value>,
 }
 

@@ -21,7 +21,9 @@ pub fn tape(program: &Program) -> TapeModel {
         .iter()
         .map(|configuration| TapeConfiguration {
             coordinate: configuration.coordinate as usize,
-            functions: function(&configuration.functions),
+            functions: function(&Function {
+                results: configuration.functions.results[..configuration.rates].to_vec(),
+            }),
         })
         .collect();
     let rhs = function(&program.rhs);

@@ -29,11 +29,8 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
     ];
     let entries = n * n;
     let rhs = {
-        let mut body = Body::generic(writer);
-        configuration::tabulated(writer, &mut body);
-        assign(writer, &mut body, &program.rhs, "dx");
         let doc = "dx/dt. Where a loop cannot close, entries are not numbers.";
-        let body = in_blocks(body.finish());
+        let body = assignments(writer, &program.rhs, "dx");
         signature(writer, "rhs", Takes::Everything, "dx", n, doc, &body)
     };
     let simple = [
@@ -67,7 +64,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         ),
         (
             "closures",
-            &program.closures,
+            &program.closures_by_tables,
             l,
             "result",
             "For each loop a number that is positive where it closes and zero at a dead point.",
@@ -78,7 +75,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         signature(writer, name, Takes::Everything, out, length, doc, &body)
     });
     let accepted = {
-        let body = assignments(writer, &program.accept, "result");
+        let body = assignments(writer, &program.accept_by_tables, "result");
         signature(
             writer,
             "accept",
@@ -144,6 +141,7 @@ fn arguments(writer: &Writer<'_>, takes: Takes) -> TokenStream {
 /// Statements that compute a function's results and assign them to entries of `out`.
 fn assignments(writer: &Writer<'_>, function: &Function, out: &str) -> Vec<TokenStream> {
     let mut body = Body::generic(writer);
+    configuration::tabulated(writer, &mut body, function);
     assign(writer, &mut body, function, out);
     in_blocks(body.finish())
 }

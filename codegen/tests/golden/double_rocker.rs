@@ -541,6 +541,7 @@ pub mod double_rocker {
                 &prepared,
                 &COORDINATES,
                 0,
+                6,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -694,7 +695,7 @@ pub mod double_rocker {
         /// `0.25 / (l2 * l2 * l3 * l3)`
         pub constant7: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 6>,
+        pub table_of_φ1: Table<T, 9>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -883,9 +884,9 @@ pub mod double_rocker {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 6] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 9] {
         let turn_coupler = d[0];
         let turn_rocker = d[1];
         let t1 = φ1 - 1.3962634015954636;
@@ -903,9 +904,8 @@ pub mod double_rocker {
         let per_D = D.recip();
         let κ = per_D * (p.constant1 + D) * 0.5;
         let Y_κ = Y * κ;
-        let t2 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t2;
+        let t2 = (D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared);
+        let η = p.half_ε * (per_D * (-t2).sqrt());
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -974,6 +974,9 @@ pub mod double_rocker {
             ddφ1_per_F_joint,
             ddφ1_per_F_f,
             ddφ1_per_dφ1_squared,
+            φ2_minus_φ2_0,
+            φ3_minus_φ3_0,
+            -(p.constant7 * t2),
         ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
@@ -995,7 +998,7 @@ pub mod double_rocker {
         let xp_cycle = d[2];
         let xp_falling = d[3];
         let [x_A, dv_ddφ1, ddφ1_of_φ1, ddφ1_per_F_joint, ddφ1_per_F_f,
-        ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+        ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
@@ -1444,16 +1447,12 @@ pub mod double_rocker {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - p.l1 * cos_φ1;
-        let Y = -(p.l1 * sin_φ1);
-        // its length squared
-        let D = X * X + Y * Y;
-        let t1 = p.constant7
-            * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
-        result[0] = -t1;
+        let [.., t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -1466,35 +1465,11 @@ pub mod double_rocker {
         result: &mut [T; 4],
     ) {
         let φ1 = x[0];
-        let turn_coupler = d[0];
-        let turn_rocker = d[1];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let l1_sin_φ1 = p.l1 * sin_φ1;
-        let Y = -l1_sin_φ1;
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - p.l1 * cos_φ1;
-        // its length squared
-        let D = X * X + Y * Y;
-        let per_D = D.recip();
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let Y_κ = Y * κ;
-        let t1 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t1;
-        let X_η = X * η;
-        let s2 = p.per_l2 * (Y_κ + X_η);
-        let X_κ = X * κ;
-        let Y_η = Y * η;
-        let c2 = p.per_l2 * (X_κ - Y_η);
-        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
-        // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
-        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
+        let [.., φ2_minus_φ2_0, φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
     }

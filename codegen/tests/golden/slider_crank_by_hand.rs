@@ -137,6 +137,7 @@ pub mod slider_crank_by_hand {
                 &prepared,
                 &COORDINATES,
                 0,
+                1,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -182,7 +183,7 @@ pub mod slider_crank_by_hand {
         /// `1.0 / e`
         pub per_e: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 1>,
+        pub table_of_φ1: Table<T, 3>,
     }
     impl<T: Copy> Prepared<T> {
         /// The same with every number turned into another: for dual numbers or lanes.
@@ -254,26 +255,28 @@ pub mod slider_crank_by_hand {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 3], p: &Prepared<T>) -> [T; 1] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 3], p: &Prepared<T>) -> [T; 3] {
+        let φ2_reference = d[2];
         let t1 = p.type_
             * (((φ1 + p.θ) * 0.5).sin() * ((p.θ - φ1) * 0.5).sin() * 2.0);
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let cos_φ2 = (T::from_f64(1.0)
-            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
-            .sqrt();
+        let t2 = T::from_f64(1.0) - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1);
+        let cos_φ2 = t2.sqrt();
         let sin_φ2 = -(p.r_per_l * sin_φ1);
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        let t2 = p.r_type
+        let t3 = p.r_type
             * (p.cos_β * cos_φ1_minus_φ2 + p.sin_β * sin_φ1_minus_φ2);
-        let t3 = φ1 * 0.25 + 0.5;
-        let (t4, t5) = t3.sin_cos();
-        let t6 = t1 - t2 - p.E * (φ1 - p.θ) + t4 + t5 + t3.tan() + t3.asin()
-            + t3.acos();
-        let t7 = t6 + t3.atan() + t3.tanh() + t3.exp() + t3.ln() + t3.abs() + t3.sign();
-        [t7 + t3.floor()]
+        let t4 = φ1 * 0.25 + 0.5;
+        let (t5, t6) = t4.sin_cos();
+        let t7 = t1 - t3 - p.E * (φ1 - p.θ) + t5 + t6 + t4.tan() + t4.asin()
+            + t4.acos();
+        let t8 = t7 + t4.atan() + t4.tanh() + t4.exp() + t4.ln() + t4.abs() + t4.sign();
+        // angle of the rod
+        let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
+        [t8 + t4.floor(), φ2, t2]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -290,7 +293,7 @@ pub mod slider_crank_by_hand {
         let n = d[0];
         let level = d[1];
         let u_2 = u[0];
-        let [t1] = if p.table_of_φ1.covers(φ1) {
+        let [t1, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
@@ -463,9 +466,12 @@ pub mod slider_crank_by_hand {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let sin_φ1 = φ1.sin();
-        result[0] = T::from_f64(1.0) - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1);
+        let [.., t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -478,15 +484,11 @@ pub mod slider_crank_by_hand {
         result: &mut [T; 3],
     ) {
         let φ1 = x[0];
-        let φ2_reference = d[2];
-        // ── configuration ──
-        let sin_φ1 = φ1.sin();
-        let sin_φ2 = -(p.r_per_l * sin_φ1);
-        let cos_φ2 = (T::from_f64(1.0)
-            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
-            .sqrt();
-        // angle of the rod
-        let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
+        let [.., φ2, _] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[2] = φ2;
     }
     /// Time in s of each drive's next kink.

@@ -233,6 +233,7 @@ pub mod xy_stage {
                 &prepared,
                 &COORDINATES,
                 0,
+                4,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
