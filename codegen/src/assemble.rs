@@ -11,6 +11,7 @@ use flexure_model_dsl::symbolic::{Expr, Graph, Symbol};
 use flexure_runtime::failure::{Failure, Unit};
 use flexure_runtime::system::{Causality, Variable};
 
+use crate::curves;
 use crate::cut::cut;
 use crate::lower::{Binding, Context, Lowering};
 use crate::program::{Check, Event, Function, Message, Program, Set, Solve, Symbols};
@@ -25,6 +26,7 @@ pub fn program(equations: &Equations) -> Program {
     builder.functions();
     builder.parameter_stage();
     cut(&mut builder.program);
+    curves::take_out(&mut builder.program);
     builder.program
 }
 

@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use flexure_runtime::tape::Operation;
 
 use crate::names::identifier;
-use crate::program::{Configuration, Function, Name, Program};
+use crate::program::{Compiled, Configuration, Function, Name, Program};
 use crate::schedule::order;
 use crate::values::{Node, Stage, Value, Values};
 
@@ -31,8 +31,12 @@ const MOST: usize = 24;
 /// Takes the functions of one coordinate out of the rates of `program`, where it pays, and out of
 /// what ends a step.
 pub(crate) fn cut(program: &mut Program) {
-    (program.accept_by_tables, program.closures_by_tables) =
-        (program.accept.clone(), program.closures.clone());
+    program.compiled = Compiled {
+        rhs: program.rhs.clone(),
+        accept: program.accept.clone(),
+        closures: program.closures.clone(),
+        curves: Vec::new(),
+    };
     let plain = program.rhs.clone();
     let folded = Folding::new(program).fold();
     let count = |function: &Function| -> usize {
@@ -89,8 +93,9 @@ pub(crate) fn cut(program: &mut Program) {
         program.configurations.push(configuration);
     }
     program.rhs = replaced(program, &rates, leaves.clone());
-    program.accept_by_tables = replaced(program, &program.accept.clone(), leaves.clone());
-    program.closures_by_tables = replaced(program, &program.closures.clone(), leaves);
+    program.compiled.rhs = program.rhs.clone();
+    program.compiled.accept = replaced(program, &program.accept.clone(), leaves.clone());
+    program.compiled.closures = replaced(program, &program.closures.clone(), leaves);
 }
 
 /// For each value that depends on nothing but params, turn references and at most one coordinate:
@@ -199,7 +204,7 @@ fn pays(values: &Values, functions: &[Value]) -> bool {
 
 /// `function` with some values replaced, and what is computed of them computed anew under the names
 /// that it had.
-fn replaced(
+pub(crate) fn replaced(
     program: &mut Program,
     function: &Function,
     mut memo: HashMap<Value, Value>,

@@ -254,7 +254,8 @@ fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegi
             | Node::Param(_)
             | Node::Unknown(_)
             | Node::Apply(..)
-            | Node::Lookup(..) => continue,
+            | Node::Lookup(..)
+            | Node::Curve(..) => continue,
         };
         register.entry(value).or_insert_with(|| {
             tape.loads.push(load);

@@ -7,6 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::configuration::function_name;
+use super::curve;
 use super::expression::{Piece, apply, ident, unsuffixed};
 use crate::names::{Described, Namer};
 use crate::program::Program;
@@ -16,7 +17,7 @@ use crate::values::{Node, Stage, Value};
 const LINE: usize = 64;
 
 /// Names that generated functions use themselves, or that would be patterns instead of names.
-pub(super) const RESERVED: [&str; 40] = [
+pub(super) const RESERVED: [&str; 42] = [
     "t",
     "x",
     "d",
@@ -40,6 +41,8 @@ pub(super) const RESERVED: [&str; 40] = [
     "COORDINATES",
     "Table",
     "TableReport",
+    "Curve",
+    "CurveReport",
     "prepared",
     "Self",
     "Real",
@@ -103,6 +106,14 @@ impl<'w, 'p> Body<'w, 'p> {
         }
     }
 
+    /// An empty body of a function of the state stage alone, which no comment needs to say.
+    pub(super) fn of_state(writer: &'w Writer<'p>) -> Self {
+        Self {
+            stage: Some(Stage::State),
+            ..Self::new(writer, false)
+        }
+    }
+
     /// An empty body of `prepare`, in plain numbers.
     pub(super) fn prepare(writer: &'w Writer<'p>) -> Self {
         Self::new(writer, true)
@@ -116,6 +127,9 @@ impl<'w, 'p> Body<'w, 'p> {
         }
         for configuration in &writer.program.configurations {
             namer.name(&function_name(writer.program, configuration));
+        }
+        for (index, curve) in writer.program.compiled.curves.iter().enumerate() {
+            namer.name(&curve::function_name(writer, index, curve));
         }
         Self {
             writer,
@@ -183,11 +197,24 @@ impl<'w, 'p> Body<'w, 'p> {
             *uses.entry(value).or_insert(0) += 1;
         }
         let angles = self.shared_angles(order);
+        let pivots: Vec<Value> = order
+            .iter()
+            .filter_map(|value| match values.node(*value) {
+                Node::Curve(_, pivot) => Some(pivot),
+                _ => None,
+            })
+            .collect();
         for &value in order {
             if self.pieces.contains_key(&value) {
                 continue;
             }
             self.load_operands(value);
+            if let Node::Curve(index, pivot) = values.node(value) {
+                let argument = self.piece(pivot).tokens;
+                let tokens = curve::value(self.writer, index as usize, &argument);
+                self.bind(value, &tokens);
+                continue;
+            }
             let (operation, operands) = match values.node(value) {
                 Node::Apply(operation, operands) => (operation, operands),
                 Node::Lookup(_, position) => (Operation::Lookup, [position; 3]),
@@ -203,7 +230,11 @@ impl<'w, 'p> Body<'w, 'p> {
             let is_named = self.writer.program.names.contains_key(&value);
             let is_shared = uses.get(&value).is_some_and(|count| *count > 1);
             let is_trivial = operation == Operation::Negate && piece.length <= 20;
-            if is_named || (is_shared && !is_trivial) || piece.length > LINE {
+            if is_named
+                || pivots.contains(&value)
+                || (is_shared && !is_trivial)
+                || piece.length > LINE
+            {
                 self.bind(value, &piece.tokens);
             } else {
                 self.keep(value, piece);

@@ -30,7 +30,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
     let entries = n * n;
     let rhs = {
         let doc = "dx/dt. Where a loop cannot close, entries are not numbers.";
-        let body = assignments(writer, &program.rhs, "dx");
+        let body = assignments(writer, &program.compiled.rhs, "dx");
         signature(writer, "rhs", Takes::Everything, "dx", n, doc, &body)
     };
     let simple = [
@@ -64,7 +64,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         ),
         (
             "closures",
-            &program.closures_by_tables,
+            &program.compiled.closures,
             l,
             "result",
             "For each loop a number that is positive where it closes and zero at a dead point.",
@@ -75,7 +75,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         signature(writer, name, Takes::Everything, out, length, doc, &body)
     });
     let accepted = {
-        let body = assignments(writer, &program.accept_by_tables, "result");
+        let body = assignments(writer, &program.compiled.accept, "result");
         signature(
             writer,
             "accept",

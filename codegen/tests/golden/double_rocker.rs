@@ -29,7 +29,7 @@ pub mod double_rocker {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -534,6 +534,7 @@ pub mod double_rocker {
                 constant6: one_minus_rise.if_positive(1.0, t7),
                 constant7: 0.25 / l2_squared_l3_squared,
                 table_of_φ1: Table::none(),
+                curve_of_per_g_v: Curve::wanted(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -696,9 +697,11 @@ pub mod double_rocker {
         pub constant7: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 9>,
+        /// [`per_g_v_of_v`] for a trajectory alone; fitted by `LaneSystem::alone`.
+        pub curve_of_per_g_v: Curve,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -774,6 +777,7 @@ pub mod double_rocker {
                 constant6: turn(self.constant6),
                 constant7: turn(self.constant7),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+                curve_of_per_g_v: Curve::none(),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -872,14 +876,16 @@ pub mod double_rocker {
                 constant6: join(self.constant6, other.constant6),
                 constant7: join(self.constant7, other.constant7),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
+                curve_of_per_g_v: Curve::none(),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
+                curve_of_per_g_v: Curve::none(),
                 ..self
             }
         }
@@ -979,6 +985,13 @@ pub mod double_rocker {
             -(p.constant7 * t2),
         ]
     }
+    /// `per_g_v`, which depends on `v` and params alone, in closed form.
+    #[inline(always)]
+    pub fn per_g_v_of_v<T: Real>(v: T, p: &Prepared<T>) -> T {
+        let g_v = p.per_sigma0
+            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
+        g_v.recip()
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -1009,9 +1022,11 @@ pub mod double_rocker {
         // ── state ──
         // slip velocity of `tip`
         let v = dv_ddφ1 * dφ1 - dx_stage;
-        let g_v = p.per_sigma0
-            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
-        let ż = v - z * v.abs() * g_v.recip();
+        let per_g_v = match p.curve_of_per_g_v.at(v) {
+            Some(value) => value,
+            None => per_g_v_of_v(v, p),
+        };
+        let ż = v - z * v.abs() * per_g_v;
         // friction force of `tip` on its second end
         let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
         let ddφ1 = ddφ1_of_φ1 + ddφ1_per_F_joint * F_joint + ddφ1_per_F_f * F_f
@@ -1619,11 +1634,24 @@ pub mod double_rocker {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn curves(&self) -> Vec<(&str, CurveReport)> {
+            let alone: Prepared<f64> = self.alone();
+            let rows = [("v", alone.curve_of_per_g_v.report())].into_iter();
+            rows.filter_map(|(name, report)| Some((name, report?))).collect()
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
+        }
+        fn alone<L: Lanes>(&self) -> Prepared<L> {
+            Prepared {
+                curve_of_per_g_v: self
+                    .curve_of_per_g_v
+                    .fitted(|argument| per_g_v_of_v(argument, self)),
+                ..self.map(L::from_f64)
+            }
         }
         fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
             *lanes = lanes

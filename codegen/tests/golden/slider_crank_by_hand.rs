@@ -19,7 +19,7 @@ pub mod slider_crank_by_hand {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -130,6 +130,7 @@ pub mod slider_crank_by_hand {
                 half_E: E * 0.5,
                 per_e: e.recip(),
                 table_of_φ1: Table::none(),
+                curve_of_half_plus_half_tanh_ω: Curve::wanted(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -184,9 +185,11 @@ pub mod slider_crank_by_hand {
         pub per_e: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 3>,
+        /// [`half_plus_half_tanh_ω_of_ω`] for a trajectory alone; fitted by `LaneSystem::alone`.
+        pub curve_of_half_plus_half_tanh_ω: Curve,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -208,6 +211,7 @@ pub mod slider_crank_by_hand {
                 half_E: turn(self.half_E),
                 per_e: turn(self.per_e),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+                curve_of_half_plus_half_tanh_ω: Curve::none(),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -243,14 +247,16 @@ pub mod slider_crank_by_hand {
                 half_E: join(self.half_E, other.half_E),
                 per_e: join(self.per_e, other.per_e),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
+                curve_of_half_plus_half_tanh_ω: Curve::none(),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
+                curve_of_half_plus_half_tanh_ω: Curve::none(),
                 ..self
             }
         }
@@ -278,6 +284,11 @@ pub mod slider_crank_by_hand {
         let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
         [t8 + t4.floor(), φ2, t2]
     }
+    /// `half_plus_half_tanh_ω`, which depends on `ω` and params alone, in closed form.
+    #[inline(always)]
+    pub fn half_plus_half_tanh_ω_of_ω<T: Real>(ω: T, p: &Prepared<T>) -> T {
+        ω.tanh() * 0.5 + 0.5
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -301,7 +312,10 @@ pub mod slider_crank_by_hand {
         // ── configuration ──
         let t2 = φ1 * 0.25 + 0.5;
         // ── state ──
-        let half_plus_half_tanh_ω = ω.tanh() * 0.5 + 0.5;
+        let half_plus_half_tanh_ω = match p.curve_of_half_plus_half_tanh_ω.at(ω) {
+            Some(value) => value,
+            None => half_plus_half_tanh_ω_of_ω(ω, p),
+        };
         let t3 = t1 + u_2 + t2.atan2(half_plus_half_tanh_ω)
             + t2.smaller(half_plus_half_tanh_ω);
         let t4 = t3 + t2.larger(half_plus_half_tanh_ω)
@@ -632,11 +646,25 @@ pub mod slider_crank_by_hand {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn curves(&self) -> Vec<(&str, CurveReport)> {
+            let alone: Prepared<f64> = self.alone();
+            let rows = [("ω", alone.curve_of_half_plus_half_tanh_ω.report())]
+                .into_iter();
+            rows.filter_map(|(name, report)| Some((name, report?))).collect()
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
+        }
+        fn alone<L: Lanes>(&self) -> Prepared<L> {
+            Prepared {
+                curve_of_half_plus_half_tanh_ω: self
+                    .curve_of_half_plus_half_tanh_ω
+                    .fitted(|argument| half_plus_half_tanh_ω_of_ω(argument, self)),
+                ..self.map(L::from_f64)
+            }
         }
         fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
             *lanes = lanes

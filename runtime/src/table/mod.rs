@@ -11,9 +11,11 @@
 //! interval the closed form is evaluated.
 
 mod chebyshev;
+mod curve;
 mod fit;
 mod motion;
 
+pub use curve::{Curve, CurveReport};
 pub use fit::{Fit, fit};
 
 use crate::real::Real;
