@@ -13,6 +13,7 @@ use flexure_runtime::system::{Causality, Variable};
 
 use crate::curves;
 use crate::cut::cut;
+use crate::late;
 use crate::lower::{Binding, Context, Lowering};
 use crate::program::{Check, Event, Function, Message, Program, Set, Solve, Symbols};
 use crate::symbolic::Symbolic;
@@ -27,6 +28,7 @@ pub fn program(equations: &Equations) -> Program {
     builder.parameter_stage();
     cut(&mut builder.program);
     curves::take_out(&mut builder.program);
+    late::arrange(&mut builder.program);
     builder.program
 }
 

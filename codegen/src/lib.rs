@@ -19,6 +19,7 @@ mod cut;
 mod directions;
 mod dot;
 mod jacobian;
+mod late;
 mod listing;
 mod lower;
 mod names;

@@ -8,7 +8,7 @@ use quote::quote;
 
 use super::configuration::function_name;
 use super::curve;
-use super::expression::{Piece, apply, ident, unsuffixed};
+use super::expression::{Level, Piece, apply, ident, method, unsuffixed};
 use crate::names::{Described, Namer};
 use crate::program::Program;
 use crate::values::{Node, Stage, Value};
@@ -80,6 +80,8 @@ pub(super) struct Body<'w, 'p> {
     /// Type of numbers: `T`, or `f64` in `prepare`.
     number: TokenStream,
     is_prepare: bool,
+    /// Whether products are fused with the sums that they are terms of.
+    is_fused: bool,
     namer: Namer,
     pieces: HashMap<Value, Piece>,
     /// The values of `pieces` in the order in which they came.
@@ -106,11 +108,19 @@ impl<'w, 'p> Body<'w, 'p> {
         }
     }
 
-    /// An empty body of a function of the state stage alone, which no comment needs to say.
+    /// An empty body of a function whose state stage counts: products there are fused with sums.
+    pub(super) fn fused(writer: &'w Writer<'p>) -> Self {
+        Self {
+            is_fused: true,
+            ..Self::new(writer, false)
+        }
+    }
+
+    /// The same of the state stage alone, which no comment needs to say.
     pub(super) fn of_state(writer: &'w Writer<'p>) -> Self {
         Self {
             stage: Some(Stage::State),
-            ..Self::new(writer, false)
+            ..Self::fused(writer)
         }
     }
 
@@ -135,6 +145,7 @@ impl<'w, 'p> Body<'w, 'p> {
             writer,
             number: if is_prepare { quote!(f64) } else { quote!(T) },
             is_prepare,
+            is_fused: false,
             namer,
             pieces: HashMap::new(),
             made: Vec::new(),
@@ -226,7 +237,15 @@ impl<'w, 'p> Body<'w, 'p> {
                 self.sine_and_cosine(pair, operands[0], value);
                 continue;
             }
-            let piece = self.expression(value, operation, operands);
+            let is_inner = |operand: Value| {
+                uses.get(&operand) == Some(&1) && !self.writer.program.names.contains_key(&operand)
+            };
+            let piece = if self.is_fused && values.stage(value) == Stage::State {
+                self.fused_sum(operation, operands, is_inner)
+            } else {
+                None
+            };
+            let piece = piece.unwrap_or_else(|| self.expression(value, operation, operands));
             let is_named = self.writer.program.names.contains_key(&value);
             let is_shared = uses.get(&value).is_some_and(|count| *count > 1);
             let is_trivial = operation == Operation::Negate && piece.length <= 20;
@@ -274,6 +293,37 @@ impl<'w, 'p> Body<'w, 'p> {
             _ => b,
         };
         apply(&self.number, operation, &a, &b, &c)
+    }
+
+    /// A sum with a product as one operation, if one of its terms is a product that nothing else uses.
+    fn fused_sum(
+        &self,
+        operation: Operation,
+        [a, b, _]: [Value; 3],
+        is_inner: impl Fn(Value) -> bool,
+    ) -> Option<Piece> {
+        let product = |value: Value| match self.writer.program.values.node(value) {
+            Node::Apply(Operation::Multiply, [x, y, _])
+                if is_inner(value) && self.piece(value).level == Level::Product =>
+            {
+                Some([x, y].map(|factor| self.piece(factor)))
+            }
+            _ => None,
+        };
+        let (sum, factors, name) = match (operation, product(a), product(b)) {
+            (Operation::Add, _, Some(factors)) => (self.piece(a), factors, "plus_product"),
+            (Operation::Add, Some(factors), None) => (self.piece(b), factors, "plus_product"),
+            (Operation::Subtract, _, Some(factors)) => (self.piece(a), factors, "minus_product"),
+            (Operation::Subtract, Some(factors), None) => {
+                let b = self.piece(b);
+                let minus = apply(&self.number, Operation::Negate, &b, &b, &b);
+                (minus, factors, "plus_product")
+            }
+            _ => return None,
+        };
+        // A plain number would be longer than what is saved.
+        let has_number = factors.iter().any(|factor| factor.constant.is_some());
+        (!has_number && sum.constant.is_none()).then(|| method(&sum, name, &factors))
     }
 
     /// Angles of which both sine and cosine are computed, and these.

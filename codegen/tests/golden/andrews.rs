@@ -1342,7 +1342,7 @@ pub mod andrews {
             p.table_of_β.where_covered(β, functions_of_β(β, d, p))
         };
         // ── state ──
-        let ddβ = ddβ_of_β + ddβ_per_dβ_squared * (dβ * dβ);
+        let ddβ = ddβ_of_β.plus_product(ddβ_per_dβ_squared, dβ * dβ);
         dx[0] = dβ;
         dx[1] = ddβ;
     }

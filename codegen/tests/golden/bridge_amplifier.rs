@@ -232,6 +232,7 @@ pub mod bridge_amplifier {
                 half_k: k * 0.5,
                 half_ks: ks * 0.5,
                 per_l_squared: l_squared.recip(),
+                ks_stroke: ks * stroke,
                 table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -315,6 +316,8 @@ pub mod bridge_amplifier {
         pub half_ks: T,
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
+        /// `ks * stroke`
+        pub ks_stroke: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 8>,
     }
@@ -355,6 +358,7 @@ pub mod bridge_amplifier {
                 half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
                 per_l_squared: turn(self.per_l_squared),
+                ks_stroke: turn(self.ks_stroke),
                 table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
@@ -402,6 +406,7 @@ pub mod bridge_amplifier {
                 half_k: join(self.half_k, other.half_k),
                 half_ks: join(self.half_ks, other.half_ks),
                 per_l_squared: join(self.per_l_squared, other.per_l_squared),
+                ks_stroke: join(self.ks_stroke, other.ks_stroke),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
@@ -526,17 +531,19 @@ pub mod bridge_amplifier {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
         };
         // ── state ──
-        let t1 = p.constant3 * t;
-        let (t2, t3) = t1.sin_cos();
-        // drive `extension`
-        let extension = p.stroke * t2;
+        let t1 = (-per_A_dP_s_dφ1)
+            .plus_product(ddφ1_per_dφ1, dφ1)
+            .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
+        let t2 = p.constant3 * t;
+        let (t3, t4) = t2.sin_cos();
         // rate of the drive `extension`
-        let d_extension_dt = p.constant4 * t3;
-        // force of `piezo` on its second end
-        let F_piezo = p.ks * (extension - e_piezo)
-            + p.cs * (d_extension_dt - dL_piezo_dφ1 * dφ1);
-        let ddφ1 = ddφ1_per_F_piezo * F_piezo - per_A_dP_s_dφ1 + ddφ1_per_dφ1 * dφ1
-            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
+        let d_extension_dt = p.constant4 * t4;
+        // force of `piezo` on its second end, without what is known last
+        let F_piezo_so_far = (p.ks * -e_piezo)
+            .plus_product(p.cs, d_extension_dt.minus_product(dL_piezo_dφ1, dφ1));
+        let ddφ1 = t1
+            .plus_product(ddφ1_per_F_piezo * p.ks_stroke, t3)
+            .plus_product(ddφ1_per_F_piezo, F_piezo_so_far);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

@@ -988,8 +988,10 @@ pub mod double_rocker {
     /// `per_g_v`, which depends on `v` and params alone, in closed form.
     #[inline(always)]
     pub fn per_g_v_of_v<T: Real>(v: T, p: &Prepared<T>) -> T {
-        let g_v = p.per_sigma0
-            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
+        let t1 = p
+            .F_C
+            .plus_product(p.F_S_minus_F_C, (-(p.per_v_s_squared * (v * v))).exp());
+        let g_v = p.per_sigma0 * t1;
         g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
@@ -1020,17 +1022,16 @@ pub mod double_rocker {
         // force of `joint` on its second end
         let F_joint = p.ku * (x_stack - x_A);
         // ── state ──
+        let t1 = (ddφ1_of_φ1 + ddφ1_per_F_joint * F_joint)
+            .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         // slip velocity of `tip`
-        let v = dv_ddφ1 * dφ1 - dx_stage;
-        let per_g_v = match p.curve_of_per_g_v.at(v) {
-            Some(value) => value,
-            None => per_g_v_of_v(v, p),
-        };
-        let ż = v - z * v.abs() * per_g_v;
-        // friction force of `tip` on its second end
-        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
-        let ddφ1 = ddφ1_of_φ1 + ddφ1_per_F_joint * F_joint + ddφ1_per_F_f * F_f
-            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
+        let v = (-dx_stage).plus_product(dv_ddφ1, dφ1);
+        // friction force of `tip` on its second end, without what is known last
+        let F_f_so_far = (p.sigma0 * z)
+            .plus_product(p.sigma1, v)
+            .plus_product(p.sigma2, v);
+        let z_abs_v = z * v.abs();
+        let sigma1_z_abs_v = p.sigma1 * z_abs_v;
         let xp_falling_minus_half = xp_falling - 0.5;
         let f_t = p.f * t;
         // drive `xp`
@@ -1042,11 +1043,20 @@ pub mod double_rocker {
         // rate of the drive `xp`
         let dxp = xp_falling_minus_half.if_positive(p.constant3, p.stroke_f_per_rise);
         // force of `ceramic` on its second end
-        let F_ceramic = p.kp * (xp - x_stack) - p.cp * (dx_stack - dxp);
+        let F_ceramic = (p.kp * (xp - x_stack)).minus_product(p.cp, dx_stack - dxp);
         // generalized force of all other forces
         let Q_stack = F_ceramic - F_joint;
         let ddx_stack = p.per_mp * Q_stack;
-        let ddx_stage = p.per_ms * F_f;
+        let per_g_v = match p.curve_of_per_g_v.at(v) {
+            Some(value) => value,
+            None => per_g_v_of_v(v, p),
+        };
+        let ddφ1 = t1
+            .plus_product(ddφ1_per_F_f, F_f_so_far)
+            .minus_product(ddφ1_per_F_f * sigma1_z_abs_v, per_g_v);
+        let ddx_stage = (p.per_ms * F_f_so_far)
+            .minus_product(p.per_ms * sigma1_z_abs_v, per_g_v);
+        let ż = v.minus_product(z_abs_v, per_g_v);
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dx_stack;

@@ -575,7 +575,7 @@ pub mod four_bar {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
         };
         // ── state ──
-        let ddφ1 = ddφ1_per_dφ1_squared * (dφ1 * dφ1) - per_A_dP_dφ1;
+        let ddφ1 = (-per_A_dP_dφ1).plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

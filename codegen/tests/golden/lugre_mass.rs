@@ -303,16 +303,20 @@ pub mod lugre_mass {
         let end = (end_piece - 0.5).if_positive(p.pull * t, T::from_f64(0.0));
         // force of `rope` on its second end
         let F_rope = p.k * (end - x_block);
+        // friction force of `surface` on its second end, without what is known last
+        let F_f_so_far = (p.sigma0 * z)
+            .plus_product(p.sigma1, dx_block)
+            .plus_product(p.sigma2, dx_block);
+        // generalized force of all other forces, without what is known last
+        let Q_block_so_far = F_rope - F_f_so_far;
+        let z_abs_dx_block = z * dx_block.abs();
         let per_g_v = match p.curve_of_per_g_v.at(dx_block) {
             Some(value) => value,
             None => per_g_v_of_dx_block(dx_block, p),
         };
-        let ż = dx_block - z * dx_block.abs() * per_g_v;
-        // friction force of `surface` on its second end
-        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * dx_block;
-        // generalized force of all other forces
-        let Q_block = F_rope - F_f;
-        let ddx_block = p.per_m * Q_block;
+        let ddx_block = (p.per_m * Q_block_so_far)
+            .plus_product(p.per_m * (p.sigma1 * z_abs_dx_block), per_g_v);
+        let ż = dx_block.minus_product(z_abs_dx_block, per_g_v);
         dx[0] = dx_block;
         dx[1] = ddx_block;
         dx[2] = ż;

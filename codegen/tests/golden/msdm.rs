@@ -498,8 +498,10 @@ pub mod msdm {
     /// `per_g_v`, which depends on `v` and params alone, in closed form.
     #[inline(always)]
     pub fn per_g_v_of_v<T: Real>(v: T, p: &Prepared<T>) -> T {
-        let g_v = p.per_sigma0
-            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
+        let t1 = p
+            .F_C
+            .plus_product(p.F_S_minus_F_C, (-(p.per_v_s_squared * (v * v))).exp());
+        let g_v = p.per_sigma0 * t1;
         g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
@@ -532,25 +534,32 @@ pub mod msdm {
         // rate of the drive `xp`
         let dxp = xp_falling_minus_half.if_positive(p.constant2, p.stroke_f_per_rise);
         // force of `ceramic` on its second end
-        let F_ceramic = p.kp * (xp - x_stack) - p.cp * (dx_stack - dxp);
+        let F_ceramic = (p.kp * (xp - x_stack)).minus_product(p.cp, dx_stack - dxp);
         // force of `mechanism` on its second end
-        let F_mechanism = p.ke * (x_stack - x_flexure) + p.ce * (dx_stack - dx_flexure);
+        let F_mechanism = (p.ke * (x_stack - x_flexure))
+            .plus_product(p.ce, dx_stack - dx_flexure);
         // generalized force of all other forces
         let Q_stack = F_ceramic - F_mechanism;
         let ddx_stack = p.per_mp * Q_stack;
         // slip velocity of `tip`
         let v = dx_flexure - dx_stage;
+        // friction force of `tip` on its second end, without what is known last
+        let F_f_so_far = (p.sigma0 * z)
+            .plus_product(p.sigma1, v)
+            .plus_product(p.sigma2, v);
+        // generalized force of all other forces, without what is known last
+        let Q_flexure_so_far = F_mechanism - F_f_so_far;
+        let z_abs_v = z * v.abs();
+        let sigma1_z_abs_v = p.sigma1 * z_abs_v;
         let per_g_v = match p.curve_of_per_g_v.at(v) {
             Some(value) => value,
             None => per_g_v_of_v(v, p),
         };
-        let ż = v - z * v.abs() * per_g_v;
-        // friction force of `tip` on its second end
-        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
-        // generalized force of all other forces
-        let Q_flexure = F_mechanism - F_f;
-        let ddx_flexure = p.per_me * Q_flexure;
-        let ddx_stage = p.per_ms * F_f;
+        let ddx_flexure = (p.per_me * Q_flexure_so_far)
+            .plus_product(p.per_me * sigma1_z_abs_v, per_g_v);
+        let ddx_stage = (p.per_ms * F_f_so_far)
+            .minus_product(p.per_ms * sigma1_z_abs_v, per_g_v);
+        let ż = v.minus_product(z_abs_v, per_g_v);
         dx[0] = dx_stack;
         dx[1] = ddx_stack;
         dx[2] = dx_flexure;

@@ -207,7 +207,7 @@ pub mod pendulum {
         // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
         // ── state ──
-        let ddφ = -(p.per_C0 * (dP_dφ + p.c * dφ));
+        let ddφ = -(p.per_C0 * dP_dφ.plus_product(p.c, dφ));
         dx[0] = dφ;
         dx[1] = ddφ;
     }

@@ -1046,9 +1046,12 @@ pub mod six_bar {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
         };
         // ── state ──
-        let t1 = ddφ1_per_dφ1 * dφ1 - per_A_dP_dφ1
-            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
-        let ddφ1 = t1 + per_A * (p.torque * (p.constant4 * t).sin() - p.c * dφ1);
+        let t1 = (-per_A_dP_dφ1)
+            .plus_product(ddφ1_per_dφ1, dφ1)
+            .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
+        let ddφ1 = t1
+            .plus_product(per_A, -(p.c * dφ1))
+            .plus_product(per_A * p.torque, (p.constant4 * t).sin());
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

@@ -485,8 +485,12 @@ pub mod slider_crank {
             p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
         };
         // ── state ──
-        let ddφ = ddφ_per_dφ * dφ - per_A_dP_dφ + ddφ_per_dφ_squared * (dφ * dφ)
-            + per_A * (p.torque * (p.constant1 * t).sin() - p.c * dφ);
+        let t1 = (-per_A_dP_dφ)
+            .plus_product(ddφ_per_dφ, dφ)
+            .plus_product(ddφ_per_dφ_squared, dφ * dφ);
+        let ddφ = t1
+            .plus_product(per_A, -(p.c * dφ))
+            .plus_product(per_A * p.torque, (p.constant1 * t).sin());
         dx[0] = dφ;
         dx[1] = ddφ;
     }

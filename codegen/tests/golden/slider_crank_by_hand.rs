@@ -312,22 +312,28 @@ pub mod slider_crank_by_hand {
         // ── configuration ──
         let t2 = φ1 * 0.25 + 0.5;
         // ── state ──
+        let t3 = (t1 + u_2 + level).minus_product(p.E, n.minus_product(p.e, t));
         let half_plus_half_tanh_ω = match p.curve_of_half_plus_half_tanh_ω.at(ω) {
             Some(value) => value,
             None => half_plus_half_tanh_ω_of_ω(ω, p),
         };
-        let t3 = t1 + u_2 + t2.atan2(half_plus_half_tanh_ω)
-            + t2.smaller(half_plus_half_tanh_ω);
-        let t4 = t3 + t2.larger(half_plus_half_tanh_ω)
+        let t4 = t3 + t2.smaller(half_plus_half_tanh_ω)
+            + t2.larger(half_plus_half_tanh_ω);
+        let t5 = t4 + (u_2 * 0.25).if_positive(t2, half_plus_half_tanh_ω)
+            + t2.unwrap_to(half_plus_half_tanh_ω);
+        let t6 = t5 + t2.atan2(half_plus_half_tanh_ω)
             + t2.power(half_plus_half_tanh_ω);
-        let t5 = (t2 + half_plus_half_tanh_ω) * 0.5;
-        let (t6, t7) = t5.sin_cos();
-        let t8 = t4 + t6 * ((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0
-            + t7 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0;
-        let t9 = t8 + t2.unwrap_to(half_plus_half_tanh_ω)
-            + (u_2 * 0.25).if_positive(t2, half_plus_half_tanh_ω);
+        let t7 = (t2 + half_plus_half_tanh_ω) * 0.5;
+        let (t9, t8) = t7.sin_cos();
+        let t10 = p.per_J
+            * (t6 + t8 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0);
+        let t11 = t10
+            .plus_product(
+                p.per_J * (((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0),
+                t9,
+            );
         dx[0] = ω;
-        dx[1] = p.per_J * (t9 + level - p.E * (n - p.e * t));
+        dx[1] = t11;
     }
     /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
     #[inline(always)]
