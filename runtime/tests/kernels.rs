@@ -2,7 +2,7 @@
 
 mod reference;
 
-use flexure_runtime::lanes::{Lanes, Path, Task, on_path, on_path_alone};
+use flexure_runtime::lanes::{Lanes, Path, Task, on_path, on_path_alone, on_path_in_one_register};
 use flexure_runtime::real::Real;
 use reference::{Fixed, Reference};
 
@@ -87,6 +87,16 @@ fn on_lanes(path: Path, function: Function, arguments: &[(f64, f64)]) -> Vec<f64
 
 fn alone(path: Path, function: Function, arguments: &[(f64, f64)]) -> Vec<f64> {
     on_path_alone(
+        path,
+        Evaluate {
+            function,
+            arguments,
+        },
+    )
+}
+
+fn in_one_register(path: Path, function: Function, arguments: &[(f64, f64)]) -> Vec<f64> {
+    on_path_in_one_register(
         path,
         Evaluate {
             function,
@@ -410,6 +420,7 @@ fn zeros_infinities_and_what_is_not_a_number() {
         for &(function, x, y, expected) in cases {
             for result in [
                 on_lanes(path, function, &[(x, y)])[0],
+                in_one_register(path, function, &[(x, y)])[0],
                 alone(path, function, &[(x, y)])[0],
             ] {
                 let same = result.to_bits() == expected.to_bits();
@@ -469,6 +480,8 @@ fn a_lane_does_not_depend_on_the_others_nor_on_their_number() {
         for function in FUNCTIONS {
             let together = bits(on_lanes(path, function, &arguments));
             let alone = bits(alone(path, function, &arguments));
+            let in_one_register = bits(in_one_register(path, function, &arguments));
+            assert_eq!(together, in_one_register, "{function:?} on {path:?}");
             let spread: Vec<_> = arguments
                 .iter()
                 .flat_map(|&a| [(others, others), a, (f64::NAN, f64::INFINITY)])

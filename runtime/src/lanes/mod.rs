@@ -41,11 +41,15 @@ mod avx512;
 #[allow(unsafe_code)]
 mod dispatch;
 pub(crate) mod kernels;
+#[cfg(target_arch = "x86_64")]
+mod pair;
 mod portable;
 mod scalar;
 mod system;
 
-pub use dispatch::{PATH_VARIABLE, Path, on_path, on_path_alone, on_widest};
+pub use dispatch::{
+    PATH_VARIABLE, Path, on_path, on_path_alone, on_path_in_one_register, on_widest,
+};
 pub use portable::Portable;
 pub use system::LaneSystem;
 
