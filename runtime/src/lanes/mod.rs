@@ -24,7 +24,9 @@
 //! | `asin`, `acos` | 3 |
 //!
 //! Angles may be as large as numbers go. Zeros, infinities and what is not a number are treated as
-//! C's functions of these names do.
+//! C's functions of these names do. Where the result of `exp` is smaller than a normal number it is
+//! zero: friction passes there all the time, and processors compute with subnormal numbers a hundred
+//! times as long.
 //!
 //! # Safety
 //!

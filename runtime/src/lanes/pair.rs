@@ -18,7 +18,7 @@ impl<V: Vector> Lanes for Pair<V> {
 
     #[inline(always)]
     fn from_entries(mut entry: impl FnMut(usize) -> f64) -> Self {
-        let first = V::from_entries(|i| entry(i));
+        let first = V::from_entries(&mut entry);
         Self(first, V::from_entries(|i| entry(V::COUNT + i)))
     }
 
@@ -139,6 +139,10 @@ impl<V: Vector> Vector for Pair<V> {
         V::all(V::both(mask.0, mask.1))
     }
     #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        V::any(mask.0) | V::any(mask.1)
+    }
+    #[inline(always)]
     fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Self(
             V::choose(mask.0, yes.0, no.0),
@@ -153,11 +157,18 @@ impl<V: Vector> Vector for Pair<V> {
     fn odd(self) -> Self::Mask {
         (self.0.odd(), self.1.odd())
     }
+    #[inline(always)]
+    fn zero_where(self, mask: Self::Mask) -> Self {
+        Self(self.0.zero_where(mask.0), self.1.zero_where(mask.1))
+    }
+    #[inline(always)]
+    fn of_four(self, table: &[f64; 4]) -> Self {
+        Self(self.0.of_four(table), self.1.of_four(table))
+    }
     half_by_half! {
         flip(sign),
         flip_by_second_bit(bits),
-        power_of_two(),
-        scale(whole),
+        raise(whole),
         nearest(),
     }
 }

@@ -27,6 +27,10 @@ macro_rules! vector_of_one {
                 mask
             }
             #[inline(always)]
+            fn any(mask: bool) -> bool {
+                mask
+            }
+            #[inline(always)]
             fn choose(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }
@@ -49,9 +53,18 @@ macro_rules! vector_of_one {
                 $wrap(f64::from_bits($unwrap(self).to_bits() ^ sign))
             }
             #[inline(always)]
-            fn power_of_two(self) -> Self {
+            fn zero_where(self, mask: bool) -> Self {
+                if mask { $wrap(0.0) } else { self }
+            }
+            #[inline(always)]
+            fn of_four(self, table: &[f64; 4]) -> Self {
+                $wrap(table[($unwrap(self).to_bits() & 3) as usize])
+            }
+            #[inline(always)]
+            fn raise(self, whole: Self) -> Self {
+                let bits = $unwrap(self).to_bits();
                 $wrap(f64::from_bits(
-                    $unwrap(self).to_bits().wrapping_add(1023) << 52,
+                    bits.wrapping_add($unwrap(whole).to_bits() << 50),
                 ))
             }
         }
