@@ -11,7 +11,7 @@ use std::arch::x86_64::*;
 use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::kernels::Vector;
+use super::kernels::{ROOT_OF_HALF, Vector, WHOLE};
 use super::{Lanes, real_by_kernels};
 use crate::real::Real;
 
@@ -205,6 +205,29 @@ impl Vector for F64x4 {
         Self(here!(_mm256_castps_pd(_mm256_permutevar8x32_ps(
             table, halves
         ))))
+    }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        // What carries into the exponent is n; with 1024 added it is not negative. It is made a number
+        // as the lowest bits of one.
+        let above = here!(_mm256_sub_epi64(
+            self.bits(),
+            _mm256_set1_epi64x(ROOT_OF_HALF - (1024 << 52))
+        ));
+        let n = here!(_mm256_srli_epi64::<52>(above));
+        let shifted = here!(_mm256_sub_epi64(n, _mm256_set1_epi64x(1024)));
+        let m = here!(_mm256_sub_epi64(
+            self.bits(),
+            _mm256_slli_epi64::<52>(shifted)
+        ));
+        let whole = here!(_mm256_add_epi64(
+            shifted,
+            _mm256_set1_epi64x(WHOLE.to_bits() as i64)
+        ));
+        (
+            Self(here!(_mm256_castsi256_pd(m))),
+            Self(here!(_mm256_castsi256_pd(whole))) - WHOLE,
+        )
     }
     #[inline(always)]
     fn raise(self, whole: Self) -> Self {

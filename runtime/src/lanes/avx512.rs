@@ -11,7 +11,7 @@ use std::arch::x86_64::*;
 use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::kernels::Vector;
+use super::kernels::{ROOT_OF_HALF, Vector};
 use super::{Lanes, real_by_kernels};
 use crate::real::Real;
 
@@ -195,6 +195,17 @@ impl Vector for F64x8 {
         let [a, b, c, d] = *table;
         let twice = Self::from_array([a, b, c, d, a, b, c, d]);
         Self(here!(_mm512_permutexvar_pd(self.bits(), twice.0)))
+    }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        // What carries into the exponent is n.
+        let root = here!(_mm512_set1_epi64(ROOT_OF_HALF));
+        let n = here!(_mm512_srai_epi64::<52>(_mm512_sub_epi64(self.bits(), root)));
+        let m = here!(_mm512_sub_epi64(self.bits(), _mm512_slli_epi64::<52>(n)));
+        (
+            Self(here!(_mm512_castsi512_pd(m))),
+            Self(here!(_mm512_cvtepi64_pd(n))),
+        )
     }
     #[inline(always)]
     fn raise(self, whole: Self) -> Self {

@@ -165,6 +165,11 @@ impl<V: Vector> Vector for Pair<V> {
     fn of_four(self, table: &[f64; 4]) -> Self {
         Self(self.0.of_four(table), self.1.of_four(table))
     }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        let (first, second) = (self.0.split(), self.1.split());
+        (Self(first.0, second.0), Self(first.1, second.1))
+    }
     half_by_half! {
         flip(sign),
         flip_by_second_bit(bits),

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::kernels::Vector;
+use super::kernels::{ROOT_OF_HALF, Vector};
 use super::{Lanes, real_by_kernels};
 use crate::real::Real;
 
@@ -59,6 +59,14 @@ macro_rules! vector_of_one {
             #[inline(always)]
             fn of_four(self, table: &[f64; 4]) -> Self {
                 $wrap(table[($unwrap(self).to_bits() & 3) as usize])
+            }
+            #[inline(always)]
+            fn split(self) -> (Self, Self) {
+                let bits = $unwrap(self).to_bits() as i64;
+                // What carries into the exponent is n.
+                let n = bits.wrapping_sub(ROOT_OF_HALF) >> 52;
+                let m = f64::from_bits(bits.wrapping_sub(n << 52) as u64);
+                ($wrap(m), $wrap(n as f64))
             }
             #[inline(always)]
             fn raise(self, whole: Self) -> Self {

@@ -23,6 +23,9 @@ pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// to a whole one.
 const LARGEST_FRACTION: f64 = 4_503_599_627_370_496.0;
 
+/// Bits of √½.
+pub(super) const ROOT_OF_HALF: i64 = 0x3fe6_a09e_667f_3bcd;
+
 /// What kernels need of lanes beyond arithmetic: masks and bits.
 pub(crate) trait Vector: Lanes {
     /// A choice for each entry.
@@ -67,6 +70,9 @@ pub(crate) trait Vector: Lanes {
     /// This with n·2⁵⁰ added to its bits, for `whole = WHOLE + n`: where four divides n, times
     /// 2^(n/4).
     fn raise(self, whole: Self) -> Self;
+
+    /// `(m, n)` of `self = m·2ⁿ` with √½ ≤ m < √2, for a positive normal number.
+    fn split(self) -> (Self, Self);
 
     /// The nearest whole number, the even one of two; a zero keeps its sign.
     #[inline(always)]
