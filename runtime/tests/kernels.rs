@@ -22,6 +22,12 @@ enum Function {
     Floor,
     Sign,
     Unwrap,
+    Sqrt,
+    Abs,
+    Quotient,
+    Smaller,
+    Larger,
+    Positive,
 }
 
 impl Function {
@@ -42,6 +48,12 @@ impl Function {
             Function::Floor => x.floor(),
             Function::Sign => x.sign(),
             Function::Unwrap => x.unwrap_to(y),
+            Function::Sqrt => x.sqrt(),
+            Function::Abs => x.abs(),
+            Function::Quotient => x / y,
+            Function::Smaller => x.smaller(y),
+            Function::Larger => x.larger(y),
+            Function::Positive => x.if_positive(y, -y),
         }
     }
 }
@@ -439,7 +451,7 @@ fn zeros_infinities_and_what_is_not_a_number() {
     }
 }
 
-const FUNCTIONS: [Function; 14] = [
+const FUNCTIONS: [Function; 20] = [
     Function::Sin,
     Function::Cos,
     Function::Tan,
@@ -454,6 +466,12 @@ const FUNCTIONS: [Function; 14] = [
     Function::Floor,
     Function::Sign,
     Function::Unwrap,
+    Function::Sqrt,
+    Function::Abs,
+    Function::Quotient,
+    Function::Smaller,
+    Function::Larger,
+    Function::Positive,
 ];
 
 /// Bits, one pattern standing for all that are not numbers.
@@ -462,6 +480,43 @@ fn bits(results: Vec<f64>) -> Vec<u64> {
         .into_iter()
         .map(|x| if x.is_nan() { f64::NAN } else { x }.to_bits())
         .collect()
+}
+
+/// What IEEE 754 defines to the last bit, and choices: as plain numbers do, whatever the numbers.
+#[test]
+fn square_roots_sizes_and_choices() {
+    let exact = |function: Function, x: f64, y: f64| match function {
+        Function::Sqrt => x.sqrt(),
+        Function::Abs => x.abs(),
+        Function::Quotient => x / y,
+        Function::Smaller if x < y => x,
+        Function::Larger if x > y => x,
+        Function::Positive if x > 0.0 => y,
+        Function::Positive => -y,
+        _ => y,
+    };
+    let reference = Reference::new();
+    let mut random = Random(9);
+    let positive: Vec<_> = (0..2000)
+        .map(|_| random.of_any_size(-1074, 1023).abs())
+        .collect();
+    check(Function::Sqrt, 0.5, &singly(positive), |x, _| {
+        reference.sqrt(x)
+    });
+    let arguments = mixed(20_000);
+    for path in paths() {
+        for function in &FUNCTIONS[14..] {
+            let expected = arguments
+                .iter()
+                .map(|&(x, y)| exact(*function, x, y))
+                .collect();
+            assert_eq!(
+                bits(on_lanes(path, *function, &arguments)),
+                bits(expected),
+                "{function:?} on {path:?}"
+            );
+        }
+    }
 }
 
 /// Pairs of every kind beside each other: ordinary, huge, infinite, not numbers.
