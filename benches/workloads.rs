@@ -394,7 +394,8 @@ fn on_one_core_and_all<'a>(
                     threads,
                     ..study(implementation)?
                 };
-                let can = implementation.can(study.method) && implementation.name != "flexure tape simulate";
+                let can = implementation.can(study.method)
+                    && implementation.name != "flexure tape simulate";
                 can.then(|| candidate(implementation, study, false))
             })
         })
