@@ -166,6 +166,7 @@ fn boundary(values: &Values, function: &Function) -> BTreeMap<u32, BTreeSet<Valu
 fn weight(operation: Operation) -> u32 {
     match operation {
         Operation::Negate | Operation::Add | Operation::Subtract | Operation::Multiply => 1,
+        Operation::MultiplyAdd | Operation::MultiplySubtract | Operation::SubtractProduct => 2,
         Operation::Abs
         | Operation::Sign
         | Operation::Floor

@@ -1,6 +1,6 @@
 //! The tape back end: registers for values, instructions for operations.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use flexure_runtime::tape::{
     Block, Check, Fixed, Instruction, Load, Operation, PrepareTape, Solve, Step, Tape,
@@ -220,13 +220,77 @@ fn prepare(program: &Program, registers: &mut PrepareRegisters) -> PrepareTape {
     }
 }
 
+/// What one instruction of a function computes.
+struct Computed {
+    value: Value,
+    operation: Operation,
+    operands: [Value; 3],
+}
+
+impl Computed {
+    fn operands(&self) -> impl Iterator<Item = Value> + '_ {
+        self.operands[..self.operation.arity()].iter().copied()
+    }
+}
+
+/// The values of `order`, a product that only one sum or difference uses together with that.
+fn computed(values: &Values, order: &[Value], function: &Function) -> Vec<Computed> {
+    let mut uses: HashMap<Value, usize> = HashMap::new();
+    let operands = order.iter().flat_map(|value| values.operands(*value));
+    for value in operands.chain(function.roots()) {
+        *uses.entry(value).or_default() += 1;
+    }
+    let product = |value: Value| match values.node(value) {
+        Node::Apply(Operation::Multiply, [a, b, _])
+            if uses[&value] == 1 && values.stage(value) >= Stage::Configuration =>
+        {
+            Some([a, b])
+        }
+        _ => None,
+    };
+    let mut inside: HashSet<Value> = HashSet::new();
+    let mut all: Vec<Computed> = Vec::with_capacity(order.len());
+    for &value in order {
+        let (operation, operands) = match values.node(value) {
+            Node::Apply(operation, operands) => (operation, operands),
+            Node::Lookup(_, position) => (Operation::Lookup, [position; 3]),
+            _ => continue,
+        };
+        let [a, b, _] = operands;
+        let fused = match operation {
+            Operation::Add => product(b)
+                .map(|factors| (Operation::MultiplyAdd, b, factors, a))
+                .or_else(|| Some((Operation::MultiplyAdd, a, product(a)?, b))),
+            Operation::Subtract => product(b)
+                .map(|factors| (Operation::SubtractProduct, b, factors, a))
+                .or_else(|| Some((Operation::MultiplySubtract, a, product(a)?, b))),
+            _ => None,
+        };
+        let (operation, operands) = match fused {
+            Some((fused, product, [first, second], other)) => {
+                inside.insert(product);
+                (fused, [first, second, other])
+            }
+            None => (operation, operands),
+        };
+        all.push(Computed {
+            value,
+            operation,
+            operands,
+        });
+    }
+    all.retain(|computed| !inside.contains(&computed.value));
+    all
+}
+
 /// A function with as few registers as its values allow: one is free again after its last use.
 fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegisters) -> Tape {
     let order = moving_order(values, function.roots());
+    let code = computed(values, &order, function);
     let mut tape = Tape::default();
     let mut register: HashMap<Value, u32> = HashMap::new();
     let mut next = 0;
-    let operands = || order.iter().flat_map(|value| values.operands(*value));
+    let operands = || code.iter().flat_map(Computed::operands);
 
     for value in operands().chain(function.roots()) {
         if let Some(number) = values.as_constant(value) {
@@ -265,8 +329,8 @@ fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegi
     }
 
     let mut last_use: HashMap<Value, usize> = HashMap::new();
-    for (at, value) in order.iter().enumerate() {
-        for operand in values.operands(*value) {
+    for (at, computed) in code.iter().enumerate() {
+        for operand in computed.operands() {
             last_use.insert(operand, at);
         }
     }
@@ -274,15 +338,13 @@ fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegi
         last_use.insert(root, usize::MAX);
     }
     let mut free: Vec<u32> = Vec::new();
-    for (at, value) in order.iter().enumerate() {
-        let (operation, operands) = match values.node(*value) {
-            Node::Apply(operation, operands) => (operation, operands),
-            Node::Lookup(_, position) => (Operation::Lookup, [position; 3]),
-            _ => continue,
-        };
-        let read = operands.map(|operand| register[&operand]);
-        let mut freed: Vec<Value> = values
-            .operands(*value)
+    for (at, computed) in code.iter().enumerate() {
+        let mut read = [0; 3];
+        for (register_read, operand) in read.iter_mut().zip(computed.operands()) {
+            *register_read = register[&operand];
+        }
+        let mut freed: Vec<Value> = computed
+            .operands()
             .filter(|operand| last_use[operand] == at && values.is_computed(*operand))
             .filter(|operand| values.stage(*operand) >= Stage::Configuration)
             .collect();
@@ -293,9 +355,14 @@ fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegi
             next += 1;
             next - 1
         });
-        register.insert(*value, destination);
-        tape.code
-            .push(instruction(values, *value, operation, read, destination));
+        register.insert(computed.value, destination);
+        tape.code.push(instruction(
+            values,
+            computed.value,
+            computed.operation,
+            read,
+            destination,
+        ));
     }
     tape.registers = next;
     tape.results = function

@@ -197,7 +197,7 @@ impl Values {
         if let [Some(a), Some(b), Some(c)] = constants
             && operation != Operation::Lookup
         {
-            return Some(self.constant(operation.apply(a, || b, || c, || &[])));
+            return Some(self.constant(operation.apply(&[a, b, c])));
         }
         let [a, b, c] = operands;
         let negated = |value: Value| match self.node(value) {

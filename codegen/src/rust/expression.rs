@@ -151,6 +151,12 @@ pub(super) fn apply(
             let [a, b] = number_last(a, b);
             infix(&of_type(a), quote!(*), b, Level::Product)
         }
+        Operation::MultiplyAdd => method(&typed(a), "times_plus", &[of_type(b), of_type(c)]),
+        Operation::MultiplySubtract => {
+            let product = infix(&of_type(a), quote!(*), b, Level::Product);
+            infix(&product, quote!(-), c, Level::Sum)
+        }
+        Operation::SubtractProduct => method(&typed(c), "minus_product", &[of_type(a), of_type(b)]),
         Operation::Divide if a.constant == Some(1.0) => method(b, "recip", &[]),
         Operation::Divide => infix(&of_type(a), quote!(/), b, Level::Product),
         Operation::Sqrt => method(a, "sqrt", &[]),

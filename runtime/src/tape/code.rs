@@ -1,6 +1,6 @@
 //! Straight-line code over registers, and the loop that runs it.
 
-use super::operation::Operation;
+use super::operation::{Operands, Operation};
 use crate::real::Real;
 
 /// One step: `registers[destination] = operation(registers[a], registers[b], registers[c])`.
@@ -36,18 +36,41 @@ impl<T: Copy> Bank<T> for [T] {
 }
 
 /// A power of two of registers, of which none needs to be checked.
-struct Few<T, const N: usize>([T; N]);
-
-impl<T: Copy, const N: usize> Bank<T> for Few<T, N> {
+impl<T: Copy, const N: usize> Bank<T> for [T; N] {
     #[inline(always)]
     fn read(&self, register: u32) -> T {
         const { assert!(N.is_power_of_two()) };
-        self.0[register as usize & (N - 1)]
+        self[register as usize & (N - 1)]
     }
     #[inline(always)]
     fn write(&mut self, register: u32, value: T) {
-        const { assert!(N.is_power_of_two()) };
-        self.0[register as usize & (N - 1)] = value;
+        self[register as usize & (N - 1)] = value;
+    }
+}
+
+/// What an instruction works on.
+struct Read<'a, B: ?Sized> {
+    bank: &'a B,
+    registers: [u32; 3],
+    tables: &'a [Vec<f64>],
+}
+
+impl<T, B: Bank<T> + ?Sized> Operands<T> for Read<'_, B> {
+    #[inline(always)]
+    fn first(&self) -> T {
+        self.bank.read(self.registers[0])
+    }
+    #[inline(always)]
+    fn second(&self) -> T {
+        self.bank.read(self.registers[1])
+    }
+    #[inline(always)]
+    fn third(&self) -> T {
+        self.bank.read(self.registers[2])
+    }
+    #[inline(always)]
+    fn table(&self) -> &[f64] {
+        &self.tables[self.registers[1] as usize]
     }
 }
 
@@ -60,13 +83,11 @@ pub(super) fn run<T: Real>(code: &[Instruction], registers: &mut [T], tables: &[
 #[inline(always)]
 fn run_in<T: Real, B: Bank<T> + ?Sized>(code: &[Instruction], bank: &mut B, tables: &[Vec<f64>]) {
     for instruction in code {
-        let [first, second, third] = instruction.operands;
-        let value = instruction.operation.apply(
-            bank.read(first),
-            || bank.read(second),
-            || bank.read(third),
-            || &tables[second as usize],
-        );
+        let value = instruction.operation.apply(&Read {
+            bank: &*bank,
+            registers: instruction.operands,
+            tables,
+        });
         bank.write(instruction.destination, value);
     }
 }
@@ -136,21 +157,19 @@ impl<'a, T> Arguments<'a, T> {
     }
 }
 
-/// Registers that are cheap to clear, on the stack.
-const FEW: usize = 128;
-/// Registers that still fit on the stack.
-const SEVERAL: usize = 1024;
+/// Registers that find room on the stack.
+const FEW: usize = 256;
 
 impl Tape {
-    /// The fixed registers for a prepared parameter set.
+    /// All registers for a prepared parameter set: the fixed ones, and room for the others.
     pub(super) fn image(&self, prepared: &[f64]) -> Vec<f64> {
-        self.fixed
-            .iter()
-            .map(|fixed| match fixed {
-                Fixed::Constant(value) => *value,
-                Fixed::Prepared(register) => prepared[*register as usize],
-            })
-            .collect()
+        let fixed = self.fixed.iter().map(|fixed| match fixed {
+            Fixed::Constant(value) => *value,
+            Fixed::Prepared(register) => prepared[*register as usize],
+        });
+        let mut image: Vec<f64> = fixed.collect();
+        image.resize(self.registers as usize, 0.0);
+        image
     }
 
     /// Evaluates the function and writes its results to their positions in `out`; other entries of
@@ -163,30 +182,46 @@ impl Tape {
         tables: &[Vec<f64>],
         out: &mut [T],
     ) {
-        let zero = T::from_f64(0.0);
-        let count = self.registers as usize;
-        if count <= FEW {
-            let mut few = Few([zero; FEW]);
-            self.fill(&mut few.0, image, arguments);
-            run_in(&self.code, &mut few, tables);
-            self.collect(&few.0, out);
-        } else if count <= SEVERAL {
-            let mut several = Few([zero; SEVERAL]);
-            self.fill(&mut several.0, image, arguments);
-            run_in(&self.code, &mut several, tables);
-            self.collect(&several.0, out);
+        if image.len() <= FEW {
+            let mut registers = [T::from_f64(0.0); FEW];
+            registers[..image.len()].copy_from_slice(image);
+            self.fill(&mut registers, arguments);
+            run_in(&self.code, &mut registers, tables);
+            self.collect(&registers, out);
         } else {
-            let mut many = vec![zero; count];
-            self.fill(&mut many, image, arguments);
-            run_in(&self.code, many.as_mut_slice(), tables);
-            self.collect(&many, out);
+            self.evaluate_in(&mut image.to_vec(), arguments, tables, out);
         }
     }
 
+    /// The same in registers that hold the fixed values already, and that no other tape uses.
     #[inline(always)]
-    fn fill<T: Real>(&self, registers: &mut [T], image: &[T], arguments: Arguments<'_, T>) {
-        registers[..image.len()].copy_from_slice(image);
-        for (register, load) in registers[image.len()..].iter_mut().zip(&self.loads) {
+    pub(super) fn evaluate_in<T: Real>(
+        &self,
+        registers: &mut [T],
+        arguments: Arguments<'_, T>,
+        tables: &[Vec<f64>],
+        out: &mut [T],
+    ) {
+        self.update(registers, arguments, tables);
+        self.collect(registers, out);
+    }
+
+    /// Computes the results in registers that hold the fixed values already.
+    #[inline(always)]
+    pub(super) fn update<T: Real>(
+        &self,
+        registers: &mut [T],
+        arguments: Arguments<'_, T>,
+        tables: &[Vec<f64>],
+    ) {
+        self.fill(registers, arguments);
+        run_in(&self.code, registers, tables);
+    }
+
+    #[inline(always)]
+    fn fill<T: Real>(&self, registers: &mut [T], arguments: Arguments<'_, T>) {
+        let first = self.fixed.len();
+        for (register, load) in registers[first..].iter_mut().zip(&self.loads) {
             *register = match load {
                 Load::Time => arguments.t,
                 Load::State(index) => arguments.x[*index as usize],
@@ -197,8 +232,9 @@ impl Tape {
         }
     }
 
+    /// Writes the results to their positions in `out`.
     #[inline(always)]
-    fn collect<T: Real>(&self, registers: &[T], out: &mut [T]) {
+    pub(super) fn collect<T: Real>(&self, registers: &[T], out: &mut [T]) {
         for (position, register) in &self.results {
             out[*position as usize] = registers[*register as usize];
         }

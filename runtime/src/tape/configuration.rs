@@ -18,7 +18,7 @@ pub struct TapeConfiguration {
 /// Functions of a table: as many as a vector of the machine holds, or a multiple.
 const WIDTH: usize = 4;
 /// Values of functions that are kept on the stack.
-const FEW: usize = 32;
+pub(super) const FEW: usize = 16;
 
 /// The functions of all coordinates with a parameter set.
 #[derive(Clone, Debug, Default)]
@@ -151,24 +151,23 @@ fn without_tables(configuration: &TapeConfiguration) -> Vec<Table<f64, WIDTH>> {
 }
 
 impl<T: Real> Configurations<T> {
-    /// Calls `then` with the values of all functions.
+    /// The values of all functions, in `few` if they have room there, else in `many`.
     #[inline(always)]
-    pub fn with_values(
+    pub fn values<'v>(
         &self,
         program: &TapeProgram,
         arguments: Arguments<'_, T>,
-        then: impl FnOnce(&[T]),
-    ) {
-        let zero = T::from_f64(0.0);
-        if self.count <= FEW {
-            let mut values = [zero; FEW];
-            self.evaluate(program, arguments, &mut values[..self.count]);
-            then(&values[..self.count]);
+        few: &'v mut [T; FEW],
+        many: &'v mut Vec<T>,
+    ) -> &'v [T] {
+        let values = if self.count <= FEW {
+            &mut few[..self.count]
         } else {
-            let mut values = vec![zero; self.count];
-            self.evaluate(program, arguments, &mut values);
-            then(&values);
-        }
+            many.resize(self.count, T::from_f64(0.0));
+            &mut many[..]
+        };
+        self.evaluate(program, arguments, values);
+        values
     }
 
     #[inline(always)]
@@ -188,13 +187,21 @@ impl<T: Real> Configurations<T> {
                 continue;
             };
             let inside = first.inside(q);
-            if !inside.all_positive() {
-                tape.evaluate(image, arguments, &program.tables, own);
+            if inside.all_positive() {
+                for (table, to) in tables.iter().zip(own.chunks_mut(WIDTH)) {
+                    let near = table.polynomials(q);
+                    for k in 0..to.len().min(WIDTH) {
+                        to[k] = near[k];
+                    }
+                }
+                continue;
             }
+            tape.evaluate(image, arguments, &program.tables, own);
             if inside.any_positive() {
                 for (table, to) in tables.iter().zip(own.chunks_mut(WIDTH)) {
-                    for (to, near) in to.iter_mut().zip(table.polynomials(q)) {
-                        *to = inside.if_positive(near, *to);
+                    let near = table.polynomials(q);
+                    for k in 0..to.len().min(WIDTH) {
+                        to[k] = inside.if_positive(near[k], to[k]);
                     }
                 }
             }

@@ -1,9 +1,10 @@
 //! Tapes on lanes: one pass of the interpreter serves several parameter sets.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use super::code::{Arguments, Tape};
-use super::configuration::Configurations;
+use super::configuration::{Configurations, FEW};
 use super::{TapePrepared, TapeProgram};
 use crate::lanes::{LaneSystem, Lanes};
 
@@ -12,26 +13,38 @@ use crate::lanes::{LaneSystem, Lanes};
 pub struct TapeLanes<L> {
     program: Arc<TapeProgram>,
     configurations: Configurations<L>,
-    rhs: Vec<L>,
-    events: Vec<L>,
-    accept: Vec<L>,
-    closures: Vec<L>,
+    rhs: Registers<L>,
+    events: Registers<L>,
+    accept: Registers<L>,
+    closures: Registers<L>,
 }
 
-fn in_every_lane<L: Lanes>(image: &[f64]) -> Vec<L> {
-    image.iter().map(|value| L::from_f64(*value)).collect()
+/// All registers of a tape. The fixed ones keep their values, so that an evaluation copies nothing.
+type Registers<L> = RefCell<Vec<L>>;
+
+fn in_every_lane<L: Lanes>(image: &[f64]) -> Registers<L> {
+    RefCell::new(image.iter().map(|value| L::from_f64(*value)).collect())
 }
 
-fn put<L: Lanes>(lane: usize, image: &[f64], lanes: &mut [L]) {
-    for (number, value) in lanes.iter_mut().zip(image) {
+/// Puts the first `count` values, the fixed ones, into one lane.
+fn put<L: Lanes>(lane: usize, image: &[f64], count: usize, lanes: &Registers<L>) {
+    let mut lanes = lanes.borrow_mut();
+    for (number, value) in lanes.iter_mut().zip(image).take(count) {
         number.set_entry(lane, *value);
     }
 }
 
 impl<L: Lanes> TapeLanes<L> {
     #[inline(always)]
-    fn evaluate(&self, tape: &Tape, image: &[L], arguments: Arguments<'_, L>, out: &mut [L]) {
-        tape.evaluate(image, arguments, &self.program.tables, out);
+    fn evaluate(
+        &self,
+        tape: &Tape,
+        registers: &Registers<L>,
+        arguments: Arguments<'_, L>,
+        out: &mut [L],
+    ) {
+        let mut registers = registers.borrow_mut();
+        tape.evaluate_in(&mut registers, arguments, &self.program.tables, out);
     }
 }
 
@@ -50,26 +63,41 @@ impl LaneSystem for TapePrepared {
     }
 
     fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut TapeLanes<L>) {
+        let program = &self.program;
         self.configurations
             .put_in_lane(lane, &mut lanes.configurations);
-        put(lane, &self.rhs, &mut lanes.rhs);
-        put(lane, &self.events, &mut lanes.events);
-        put(lane, &self.accept, &mut lanes.accept);
-        put(lane, &self.closures, &mut lanes.closures);
+        put(lane, &self.rhs, program.rhs.fixed.len(), &lanes.rhs);
+        put(
+            lane,
+            &self.events,
+            program.events.fixed.len(),
+            &lanes.events,
+        );
+        put(
+            lane,
+            &self.accept,
+            program.accept.fixed.len(),
+            &lanes.accept,
+        );
+        put(
+            lane,
+            &self.closures,
+            program.closures.fixed.len(),
+            &lanes.closures,
+        );
     }
 
     #[inline(always)]
     fn rhs_in_lanes<L: Lanes>(lanes: &TapeLanes<L>, t: L, x: &[L], d: &[L], u: &[L], dx: &mut [L]) {
         let arguments = Arguments::new(t, x, d, u);
-        lanes
-            .configurations
-            .with_values(&lanes.program, arguments, |tabulated| {
-                let arguments = Arguments {
-                    tabulated,
-                    ..arguments
-                };
-                lanes.evaluate(&lanes.program.rhs, &lanes.rhs, arguments, dx);
-            });
+        let (mut few, mut many) = ([L::from_f64(0.0); FEW], Vec::new());
+        let values = &lanes.configurations;
+        let tabulated = values.values(&lanes.program, arguments, &mut few, &mut many);
+        let arguments = Arguments {
+            tabulated,
+            ..arguments
+        };
+        lanes.evaluate(&lanes.program.rhs, &lanes.rhs, arguments, dx);
     }
 
     #[inline(always)]
@@ -78,9 +106,10 @@ impl LaneSystem for TapePrepared {
         if tape.results.is_empty() {
             return;
         }
-        let before = d.to_vec();
-        let arguments = Arguments::new(t, x, &before, u);
-        lanes.evaluate(tape, &lanes.accept, arguments, d);
+        let arguments = Arguments::new(t, x, d, u);
+        let mut registers = lanes.accept.borrow_mut();
+        tape.update(&mut registers, arguments, &lanes.program.tables);
+        tape.collect(&registers, d);
     }
 
     #[inline(always)]

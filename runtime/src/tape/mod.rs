@@ -18,7 +18,7 @@ mod prepare;
 pub use code::{Fixed, Instruction, Load, Tape};
 pub use configuration::TapeConfiguration;
 pub use lanes::TapeLanes;
-pub use operation::Operation;
+pub use operation::{Operands, Operation};
 pub use prepare::{Block, Check, PrepareTape, Solve, Step};
 
 use std::borrow::Cow;
@@ -28,7 +28,7 @@ use crate::diagnostic::Diagnostic;
 use crate::system::{Energy, EventAction, System, Variable};
 use crate::table::TableReport;
 use code::Arguments;
-use configuration::Configurations;
+use configuration::{Configurations, FEW};
 
 /// A model as tapes: what the command runs. Cheap to clone.
 #[derive(Clone, Debug)]
@@ -239,14 +239,14 @@ impl System for TapePrepared {
 
     fn rhs(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], dx: &mut [f64]) {
         let arguments = Arguments::new(t, x, d, u);
-        self.configurations
-            .with_values(&self.program, arguments, |tabulated| {
-                let arguments = Arguments {
-                    tabulated,
-                    ..arguments
-                };
-                self.evaluate(&self.program.rhs, &self.rhs, arguments, dx);
-            });
+        let (mut few, mut many) = ([0.0; FEW], Vec::new());
+        let values = &self.configurations;
+        let tabulated = values.values(&self.program, arguments, &mut few, &mut many);
+        let arguments = Arguments {
+            tabulated,
+            ..arguments
+        };
+        self.evaluate(&self.program.rhs, &self.rhs, arguments, dx);
     }
 
     fn jacobian(&self, t: f64, x: &[f64], d: &[f64], u: &[f64], jacobian: &mut [f64]) {
@@ -329,8 +329,16 @@ impl System for TapePrepared {
         if self.program.accept.results.is_empty() {
             return;
         }
-        let before = d.to_vec();
-        let arguments = Arguments::new(t, x, &before, u);
+        let (mut few, mut many) = ([0.0; FEW], Vec::new());
+        let before = match few.get_mut(..d.len()) {
+            Some(few) => few,
+            None => {
+                many.resize(d.len(), 0.0);
+                &mut many[..]
+            }
+        };
+        before.copy_from_slice(d);
+        let arguments = Arguments::new(t, x, before, u);
         self.evaluate(&self.program.accept, &self.accept, arguments, d);
     }
 

@@ -41,6 +41,12 @@ operations! {
     Subtract 2 "subtract",
     /// a · b
     Multiply 2 "multiply",
+    /// a · b + c
+    MultiplyAdd 3 "multiply_add",
+    /// a · b - c
+    MultiplySubtract 3 "multiply_subtract",
+    /// c - a · b
+    SubtractProduct 3 "subtract_product",
     /// a / b
     Divide 2 "divide",
     /// √a
@@ -85,23 +91,48 @@ operations! {
     Lookup 1 "lookup",
 }
 
+/// Where an operation finds what it works on; only what it takes is fetched.
+pub trait Operands<T> {
+    /// The first operand.
+    fn first(&self) -> T;
+    /// The second operand.
+    fn second(&self) -> T;
+    /// The third operand.
+    fn third(&self) -> T;
+    /// The table that [`Operation::Lookup`] reads.
+    fn table(&self) -> &[f64];
+}
+
+/// Numbers at hand, without tables.
+impl<T: Copy> Operands<T> for [T; 3] {
+    fn first(&self) -> T {
+        self[0]
+    }
+    fn second(&self) -> T {
+        self[1]
+    }
+    fn third(&self) -> T {
+        self[2]
+    }
+    fn table(&self) -> &[f64] {
+        &[]
+    }
+}
+
 impl Operation {
-    /// The result for a first operand; the others and the table that [`Operation::Lookup`] reads
-    /// are fetched by those operations that take them.
+    /// The result for these operands.
     #[inline(always)]
-    pub fn apply<'t, T: Real>(
-        self,
-        a: T,
-        b: impl FnOnce() -> T,
-        c: impl FnOnce() -> T,
-        table: impl FnOnce() -> &'t [f64],
-    ) -> T {
+    pub fn apply<T: Real>(self, operands: &impl Operands<T>) -> T {
+        let a = operands.first();
         match self {
             Operation::Negate => -a,
-            Operation::Add => a + b(),
-            Operation::Subtract => a - b(),
-            Operation::Multiply => a * b(),
-            Operation::Divide => a / b(),
+            Operation::Add => a + operands.second(),
+            Operation::Subtract => a - operands.second(),
+            Operation::Multiply => a * operands.second(),
+            Operation::MultiplyAdd => a.times_plus(operands.second(), operands.third()),
+            Operation::MultiplySubtract => a.times_plus(operands.second(), -operands.third()),
+            Operation::SubtractProduct => operands.third().minus_product(a, operands.second()),
+            Operation::Divide => a / operands.second(),
             Operation::Sqrt => a.sqrt(),
             Operation::Sin => a.sin(),
             Operation::Cos => a.cos(),
@@ -115,13 +146,13 @@ impl Operation {
             Operation::Abs => a.abs(),
             Operation::Sign => a.sign(),
             Operation::Floor => a.floor(),
-            Operation::Atan2 => a.atan2(b()),
-            Operation::Min => a.smaller(b()),
-            Operation::Max => a.larger(b()),
-            Operation::Power => a.power(b()),
-            Operation::Unwrap => a.unwrap_to(b()),
-            Operation::IfPositive => a.if_positive(b(), c()),
-            Operation::Lookup => a.lookup(table()),
+            Operation::Atan2 => a.atan2(operands.second()),
+            Operation::Min => a.smaller(operands.second()),
+            Operation::Max => a.larger(operands.second()),
+            Operation::Power => a.power(operands.second()),
+            Operation::Unwrap => a.unwrap_to(operands.second()),
+            Operation::IfPositive => a.if_positive(operands.second(), operands.third()),
+            Operation::Lookup => a.lookup(operands.table()),
         }
     }
 }
