@@ -3,8 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::configuration;
+use super::expression::unsuffixed;
+use crate::program::Program;
+
 /// The implementation, by the functions that are generic over numbers anyway.
-pub(super) fn lane_system() -> TokenStream {
+pub(super) fn lane_system(program: &Program) -> TokenStream {
+    let states = unsuffixed(program.states.len());
+    let discretes = unsuffixed(program.discretes.len());
+    let tables = configuration::of_lane_system(program);
     let functions = [quote!(rhs), quote!(events), quote!(closures)];
     let in_lanes = [
         quote!(rhs_in_lanes),
@@ -14,6 +21,8 @@ pub(super) fn lane_system() -> TokenStream {
     quote! {
         impl LaneSystem for Prepared<f64> {
             type InLanes<L: Lanes> = Prepared<L>;
+            type States<L: Lanes> = [L; #states];
+            type Discretes<L: Lanes> = [L; #discretes];
 
             fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
                 self.map(L::from_f64)
@@ -48,6 +57,7 @@ pub(super) fn lane_system() -> TokenStream {
                     #functions(t, array(x), array(d), array(u), lanes, array_mut(result));
                 }
             )*
+            #tables
         }
     }
 }

@@ -87,7 +87,7 @@ fn module(
     let configurations = configuration::functions(&writer);
     let functions = function::functions(&writer);
     let system = system::system(&writer);
-    let lane_system = lane_system::lane_system();
+    let lane_system = lane_system::lane_system(program);
     let tables = items::tables(program, &messages, texts.equations, texts.latex);
     let name = ident(&module_name(&program.name));
     let doc = documentation(program);
@@ -104,6 +104,7 @@ fn module(
             use #runtime::lanes::{LaneSystem, Lanes};
             use #runtime::newton;
             use #runtime::real::Real;
+            use #runtime::simulate::PlainSteps;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
             use #runtime::table::{Table, TableReport};
 

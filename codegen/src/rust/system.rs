@@ -114,6 +114,9 @@ pub(super) fn system(writer: &Writer<'_>) -> TokenStream {
                 NAMES[index]
             }
             #tables
+            fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+                steps.on_lanes(self);
+            }
         }
     }
 }

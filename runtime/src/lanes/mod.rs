@@ -47,7 +47,7 @@ mod system;
 
 pub use dispatch::{PATH_VARIABLE, Path, on_path, on_path_alone, on_widest};
 pub use portable::Portable;
-pub use system::LaneSystem;
+pub use system::{LaneSystem, Row};
 
 use crate::real::Real;
 

@@ -115,15 +115,15 @@ impl StepControl {
             state.excursion = state.excursion_at(state.start, state.excursion, x);
         }
         let most = growth_limit(if self.was_rejected { 1.0 } else { -1.0 });
-        let last = self.last_error;
-        self.wanted = length_after(h, [error, last], order, most, self.wanted, self.longest);
-        self.last_error = remembered(error);
+        let logarithms = [Real::ln(error), Real::ln(self.last_error)];
+        self.wanted = length_after(h, logarithms, order, most, self.wanted, self.longest);
+        (self.last_error, _) = remembered(error, logarithms[0]);
         self.was_rejected = false;
     }
 
     /// After a step of length `h` whose error, of `order` in the step, was too large.
     pub fn too_inaccurate(&mut self, h: f64, error: f64, order: f64) {
-        self.cut(h, share_of_rejected(error, order));
+        self.cut(h, share_of_rejected(Real::ln(error), order));
     }
 
     /// After a step of length `h` that cannot be taken at all.
@@ -139,14 +139,20 @@ impl StepControl {
     }
 }
 
+/// No step is shorter, at `t` of a run until `until`.
+#[inline(always)]
+pub(super) fn shortest_step<T: Real>(t: T, until: T) -> T {
+    t.abs() * (8.0 * f64::EPSILON) + until * 1e-18
+}
+
 /// The largest factor by which a step may grow, after a rejected one if that is positive.
 #[inline(always)]
 pub(super) fn growth_limit<T: Real>(was_rejected: T) -> T {
     was_rejected.if_positive(T::from_f64(1.0), T::from_f64(LARGEST_GROWTH))
 }
 
-/// The length wanted after an accepted step of length `h` whose error and that of the step before
-/// are of `order` in the step.
+/// The length wanted after an accepted step of length `h`, given the logarithms of its error and
+/// of the error of the step before, which are of `order` in the step.
 #[inline(always)]
 pub(super) fn length_after<T: Real>(
     h: T,
@@ -157,8 +163,8 @@ pub(super) fn length_after<T: Real>(
     longest: T,
 ) -> T {
     // Products of powers, by logarithms: of an error of zero as well.
-    let memory = last_error.ln() * MEMORY;
-    let growth = (memory - error.ln() * (order.recip() - 0.2 * MEMORY)).exp() * SAFETY;
+    let growth = last_error * MEMORY - error * (order.recip() - 0.2 * MEMORY);
+    let growth = growth.exp() * SAFETY;
     let grown = h * growth.larger(T::from_f64(LARGEST_CUT)).smaller(most);
     // A step cut short by a break says little about what is possible behind it.
     (wanted * 0.99 - h)
@@ -166,16 +172,22 @@ pub(super) fn length_after<T: Real>(
         .smaller(longest)
 }
 
-/// The error of an accepted step as the next one's control sees it.
+/// The error of an accepted step as the next one's control sees it, and its logarithm.
 #[inline(always)]
-pub(super) fn remembered<T: Real>(error: T) -> T {
-    error.larger(T::from_f64(1e-4))
+pub(super) fn remembered<T: Real>(error: T, logarithm: T) -> (T, T) {
+    let least = T::from_f64(1e-4);
+    let over = error - least;
+    (
+        over.if_positive(error, least),
+        over.if_positive(logarithm, least.ln()),
+    )
 }
 
-/// The share of a step whose error, of `order` in the step, was too large that is tried next.
+/// The share of a step whose error, of this logarithm and of `order` in the step, was too large
+/// that is tried next.
 #[inline(always)]
-pub(super) fn share_of_rejected<T: Real>(error: T, order: f64) -> T {
-    let share = (error.ln() * -order.recip()).exp() * SAFETY;
+pub(super) fn share_of_rejected<T: Real>(logarithm: T, order: f64) -> T {
+    let share = (logarithm * -order.recip()).exp() * SAFETY;
     share
         .larger(T::from_f64(LARGEST_CUT))
         .smaller(T::from_f64(0.9))

@@ -1,32 +1,48 @@
 //! Trajectories side by side: where each lane stands, where its step ends, and whether that step
 //! is one of the plain ones that lanes may take together.
 
-use crate::lanes::{LaneSystem, Lanes};
+use crate::lanes::{LaneSystem, Lanes, Row};
 use crate::simulate::crossing::Parabola;
 use crate::simulate::dead_point::NEAR;
-use crate::simulate::method::{Method, cubic_at};
-use crate::simulate::walk::{QUARTER_TURN, Walk};
+use crate::simulate::method::cubic_at;
+use crate::simulate::stand::Stand;
+use crate::simulate::walk::QUARTER_TURN;
 
 /// Lanes that step together, each with a parameter set, a time and a state of its own.
-pub(super) struct Block<S: LaneSystem, L: Lanes> {
+pub(in crate::simulate) struct Block<S: LaneSystem, L: Lanes> {
     pub system: S::InLanes<L>,
     /// Inputs.
     pub u: Vec<L>,
     /// Where each lane stands.
-    pub t: L,
-    pub x: Vec<L>,
-    pub d: Vec<L>,
-    /// Rates there.
-    pub f: Vec<L>,
-    /// Where the steps that are tried end.
-    pub x_end: Vec<L>,
-    pub d_end: Vec<L>,
-    pub f_end: Vec<L>,
+    pub here: Point<S, L>,
     /// Positive in lanes that are under way.
     active: L,
+    /// Steps that ended outside of tables since a lane was taken up.
+    outside_tables: L,
     turning: Vec<usize>,
     loops: Loops<L>,
     events: Events<L>,
+}
+
+/// An end of a step, in each lane.
+pub(in crate::simulate) struct Point<S: LaneSystem, L: Lanes> {
+    pub t: L,
+    pub x: S::States<L>,
+    pub d: S::Discretes<L>,
+    /// Rates.
+    pub f: S::States<L>,
+}
+
+impl<S: LaneSystem, L: Lanes> Clone for Point<S, L> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        Self {
+            t: self.t,
+            x: self.x.clone(),
+            d: self.d.clone(),
+            f: self.f.clone(),
+        }
+    }
 }
 
 /// Sines of the transmission angles.
@@ -47,15 +63,6 @@ struct Events<L> {
     x: Vec<L>,
 }
 
-/// A step that was tried, in each lane.
-#[derive(Clone, Copy)]
-pub(super) struct Tried<L> {
-    /// Its length.
-    pub h: L,
-    /// The time at its end.
-    pub end: L,
-}
-
 impl<S: LaneSystem, L: Lanes> Block<S, L> {
     /// No lane is under way yet; `system` stands in for those that will be.
     pub fn new(system: &S, u: &[f64]) -> Self {
@@ -66,14 +73,14 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         Self {
             system: system.in_every_lane(),
             u: u.iter().map(|value| L::from_f64(*value)).collect(),
-            t: zero,
-            x: lanes(n),
-            d: lanes(m),
-            f: lanes(n),
-            x_end: lanes(n),
-            d_end: lanes(m),
-            f_end: lanes(n),
+            here: Point {
+                t: zero,
+                x: Row::filled(zero, n),
+                d: Row::filled(zero, m),
+                f: Row::filled(zero, n),
+            },
             active: L::from_f64(-1.0),
+            outside_tables: zero,
             turning: system.turning().to_vec(),
             loops: Loops {
                 before: lanes(loops),
@@ -91,49 +98,51 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
     }
 
     /// Takes a trajectory up where it stands.
-    pub fn load<M: Method>(&mut self, lane: usize, walk: &Walk<'_, S, M>) {
+    pub fn load(&mut self, lane: usize, stand: &Stand) {
         self.active.set_entry(lane, 1.0);
-        self.t.set_entry(lane, walk.t);
+        self.outside_tables.set_entry(lane, 0.0);
+        self.here.t.set_entry(lane, stand.t);
         for (lanes, values) in [
-            (&mut self.x, &walk.x),
-            (&mut self.d, &walk.d),
-            (&mut self.f, &walk.f),
+            (self.here.x.as_mut(), &stand.x),
+            (self.here.d.as_mut(), &stand.d),
+            (self.here.f.as_mut(), &stand.f),
         ] {
             for (number, value) in lanes.iter_mut().zip(values) {
                 number.set_entry(lane, *value);
             }
         }
-        for (index, sine) in walk.approach.sines().iter().enumerate() {
+        for (index, sine) in stand.approach.sines().iter().enumerate() {
             self.loops.here[index].set_entry(lane, *sine);
         }
     }
 
     /// Puts a trajectory down where it stands now, having `accepted` so many steps.
-    pub fn store<M: Method>(&mut self, lane: usize, walk: &mut Walk<'_, S, M>, accepted: u64) {
+    pub fn store(&mut self, lane: usize, stand: &mut Stand, accepted: u64) {
         self.active.set_entry(lane, -1.0);
         if accepted == 0 {
             return;
         }
-        walk.summary.statistics.accepted += accepted;
-        walk.t = self.t.entry(lane);
+        stand.statistics.accepted += accepted;
+        stand.statistics.outside_tables += self.outside_tables.entry(lane) as u64;
+        stand.t = self.here.t.entry(lane);
         for (values, lanes) in [
-            (&mut walk.x, &self.x),
-            (&mut walk.d, &self.d),
-            (&mut walk.f, &self.f),
+            (&mut stand.x, self.here.x.as_ref()),
+            (&mut stand.d, self.here.d.as_ref()),
+            (&mut stand.f, self.here.f.as_ref()),
         ] {
             for (value, number) in values.iter_mut().zip(lanes) {
                 *value = number.entry(lane);
             }
         }
         let loops = &self.loops;
-        walk.approach
-            .follow(walk.t, loops.passed.entry(lane), |index| {
+        stand
+            .approach
+            .follow(stand.t, loops.passed.entry(lane), |index| {
                 (
                     loops.before[index].entry(lane),
                     loops.here[index].entry(lane),
                 )
             });
-        walk.stand();
     }
 
     /// Whether lanes that are under way all have a positive number here.
@@ -160,46 +169,31 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Positive where a step was a plain one: a finite state, no body that turned too far, no loop
-    /// near a dead point, no event.
+    /// Positive where a step of length `h` was a plain one: a finite state, no body that turned too
+    /// far, no loop near a dead point, no event.
     #[inline(always)]
-    pub fn judge(&mut self, step: Tried<L>, looks: &[f64]) -> L {
-        let mut margin = self.finite_end();
-        for value in &self.f_end {
-            margin = value.times_plus(L::from_f64(0.0), margin);
+    pub fn judge(&mut self, from: &Point<S, L>, to: &Point<S, L>, h: L, looks: &[f64]) -> L {
+        let zero = L::from_f64(0.0);
+        let mut margin = finite(to.x.as_ref());
+        for value in to.f.as_ref() {
+            margin = value.times_plus(zero, margin);
         }
         for &index in &self.turning {
-            let turn = (self.d_end[index] - self.d[index]).abs();
+            let turn = (to.d.as_ref()[index] - from.d.as_ref()[index]).abs();
             margin = also(margin, L::from_f64(QUARTER_TURN) - turn);
         }
-        margin = self.judge_loops(margin, step);
-        self.judge_events(margin, step, looks)
-    }
-
-    /// Positive where the state at the end of the step tried is finite.
-    #[inline(always)]
-    pub fn finite_end(&self) -> L {
-        let mut finite = L::from_f64(1.0);
-        for value in &self.x_end {
-            finite = value.times_plus(L::from_f64(0.0), finite);
-        }
-        finite
+        margin = self.judge_loops(margin, to);
+        self.judge_events(margin, from, to, h, looks)
     }
 
     #[inline(always)]
-    fn judge_loops(&mut self, mut margin: L, step: Tried<L>) -> L {
+    fn judge_loops(&mut self, mut margin: L, to: &Point<S, L>) -> L {
         let Loops { here, end, .. } = &mut self.loops;
         if end.is_empty() {
             return margin;
         }
-        S::closures_in_lanes(
-            &self.system,
-            step.end,
-            &self.x_end,
-            &self.d_end,
-            &self.u,
-            end,
-        );
+        let (x, d) = (to.x.as_ref(), to.d.as_ref());
+        S::closures_in_lanes(&self.system, to.t, x, d, &self.u, end);
         for (end, here) in end.iter_mut().zip(here) {
             *end = end.larger(L::from_f64(0.0)).sqrt();
             let fallen = *here - *end;
@@ -211,7 +205,14 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
     /// As [`Crossings::find`](crate::simulate::crossing::Crossings::find) looks, with all events
     /// armed.
     #[inline(always)]
-    fn judge_events(&mut self, mut margin: L, step: Tried<L>, looks: &[f64]) -> L {
+    fn judge_events(
+        &mut self,
+        mut margin: L,
+        from: &Point<S, L>,
+        to: &Point<S, L>,
+        h: L,
+        looks: &[f64],
+    ) -> L {
         let Events {
             earlier,
             last,
@@ -221,19 +222,20 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         if here.is_empty() {
             return margin;
         }
-        S::events_in_lanes(&self.system, self.t, &self.x, &self.d, &self.u, last);
+        let d = from.d.as_ref();
+        S::events_in_lanes(&self.system, from.t, from.x.as_ref(), d, &self.u, last);
         let (mut a, mut b) = (0.0, 0.0);
         for (count, &c) in looks.iter().enumerate() {
             for i in 0..x.len() {
                 x[i] = if c < 1.0 {
-                    let (from, to) = (self.x[i], self.x_end[i]);
-                    cubic_at(c, step.h, [from, to], [self.f[i], self.f_end[i]])
+                    let states = [from.x.as_ref()[i], to.x.as_ref()[i]];
+                    cubic_at(c, h, states, [from.f.as_ref()[i], to.f.as_ref()[i]])
                 } else {
-                    self.x_end[i]
+                    to.x.as_ref()[i]
                 };
             }
-            let time = step.h.times_plus(L::from_f64(c), self.t);
-            S::events_in_lanes(&self.system, time, x, &self.d, &self.u, here);
+            let time = h.times_plus(L::from_f64(c), from.t);
+            S::events_in_lanes(&self.system, time, x, d, &self.u, here);
             for i in 0..here.len() {
                 margin = also(margin, -here[i]);
                 if count > 0 {
@@ -247,29 +249,39 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         margin
     }
 
-    /// Half of the time after which the first loop would come to its dead point, as the step just
-    /// tried goes.
+    /// Positive where no loop would come to its dead point within twice a step of length `h`, as
+    /// the step just tried, of duration `passed`, goes.
     #[inline(always)]
-    pub fn longest_step(&self, step: Tried<L>) -> L {
+    pub fn may_step(&self, h: L, passed: L) -> L {
+        let mut margin = L::from_f64(1.0);
+        for (end, here) in self.loops.end.iter().zip(&self.loops.here) {
+            let fallen = *here - *end;
+            margin = also(margin, *end * passed - fallen * h * 2.0);
+        }
+        margin
+    }
+
+    /// Half of the time after which the first loop would come to its dead point, as the step just
+    /// tried, of duration `passed`, goes.
+    #[inline(always)]
+    pub fn longest_step(&self, passed: L) -> L {
         let never = L::from_f64(f64::INFINITY);
-        let passed = step.end - self.t;
         let mut longest = never;
         for (end, here) in self.loops.end.iter().zip(&self.loops.here) {
-            let fallen = -((*end - *here) / passed);
-            let left = fallen.if_positive(*end / fallen, never);
-            longest = longest.smaller(left * 0.5);
+            let fallen = *here - *end;
+            if fallen.any_positive() {
+                let left = *end / (fallen / passed);
+                longest = longest.smaller(fallen.if_positive(left * 0.5, never));
+            }
         }
         longest
     }
 
-    /// Moves every lane on.
+    /// Every lane has moved on by the step just judged, to `end`.
     #[inline(always)]
-    pub fn commit(&mut self, step: Tried<L>) {
-        self.loops.passed = step.end - self.t;
-        self.t = step.end;
-        std::mem::swap(&mut self.x, &mut self.x_end);
-        std::mem::swap(&mut self.d, &mut self.d_end);
-        std::mem::swap(&mut self.f, &mut self.f_end);
+    pub fn follow(&mut self, passed: L, end: &Point<S, L>) {
+        self.count_outside(L::from_f64(1.0), end);
+        self.loops.passed = passed;
         let Loops {
             before, here, end, ..
         } = &mut self.loops;
@@ -277,17 +289,46 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         std::mem::swap(here, end);
     }
 
-    /// Moves on the lanes where `taken` is positive.
+    /// The lanes where `taken` is positive have moved on by the step just judged, to `end`.
     #[inline(always)]
-    pub fn commit_where(&mut self, taken: L, step: Tried<L>) {
-        self.loops.passed = taken.if_positive(step.end - self.t, self.loops.passed);
-        self.t = taken.if_positive(step.end, self.t);
-        copy_where(taken, &self.x_end, &mut self.x);
-        copy_where(taken, &self.d_end, &mut self.d);
-        copy_where(taken, &self.f_end, &mut self.f);
-        copy_where(taken, &self.loops.here, &mut self.loops.before);
-        copy_where(taken, &self.loops.end, &mut self.loops.here);
+    pub fn follow_where(&mut self, taken: L, passed: L, end: &Point<S, L>) {
+        self.count_outside(taken, end);
+        let loops = &mut self.loops;
+        loops.passed = taken.if_positive(passed, loops.passed);
+        copy_where(taken, &loops.here, &mut loops.before);
+        copy_where(taken, &loops.end, &mut loops.here);
     }
+
+    #[inline(always)]
+    fn count_outside(&mut self, taken: L, end: &Point<S, L>) {
+        let outside = S::outside_tables_in_lanes(&self.system, end.x.as_ref());
+        if outside.any_positive() {
+            let count = self.outside_tables;
+            let one_more = outside.if_positive(count + 1.0, count);
+            self.outside_tables = taken.if_positive(one_more, count);
+        }
+    }
+}
+
+impl<S: LaneSystem, L: Lanes> Point<S, L> {
+    /// Takes over from `other` the lanes where `wanted` is positive.
+    #[inline(always)]
+    pub fn take_where(&mut self, wanted: L, other: &Self) {
+        self.t = wanted.if_positive(other.t, self.t);
+        copy_where(wanted, other.x.as_ref(), self.x.as_mut());
+        copy_where(wanted, other.d.as_ref(), self.d.as_mut());
+        copy_where(wanted, other.f.as_ref(), self.f.as_mut());
+    }
+}
+
+/// Positive where all numbers are finite.
+#[inline(always)]
+pub(super) fn finite<L: Lanes>(row: &[L]) -> L {
+    let mut finite = L::from_f64(1.0);
+    for value in row {
+        finite = value.times_plus(L::from_f64(0.0), finite);
+    }
+    finite
 }
 
 /// Positive where an event function stays clear of zero between three looks at it.
