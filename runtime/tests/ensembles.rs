@@ -139,6 +139,8 @@ impl LaneSystem for Ball<f64> {
     type InLanes<L: Lanes> = Ball<L>;
     type States<L: Lanes> = [L; 2];
     type Discretes<L: Lanes> = Vec<L>;
+    type Loops<L: Lanes> = [L; 1];
+    type Events<L: Lanes> = [L; 1];
 
     fn in_every_lane<L: Lanes>(&self) -> Ball<L> {
         self.map(L::from_f64)

@@ -11,6 +11,8 @@ use crate::program::Program;
 pub(super) fn lane_system(program: &Program) -> TokenStream {
     let states = unsuffixed(program.states.len());
     let discretes = unsuffixed(program.discretes.len());
+    let loops = unsuffixed(program.loop_names.len());
+    let events = unsuffixed(program.event_rows.len());
     let tables = configuration::of_lane_system(program);
     let functions = [quote!(rhs), quote!(events), quote!(closures)];
     let in_lanes = [
@@ -23,6 +25,8 @@ pub(super) fn lane_system(program: &Program) -> TokenStream {
             type InLanes<L: Lanes> = Prepared<L>;
             type States<L: Lanes> = [L; #states];
             type Discretes<L: Lanes> = [L; #discretes];
+            type Loops<L: Lanes> = [L; #loops];
+            type Events<L: Lanes> = [L; #events];
 
             fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
                 self.map(L::from_f64)

@@ -2204,6 +2204,8 @@ pub mod andrews {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 2];
         type Discretes<L: Lanes> = [L; 6];
+        type Loops<L: Lanes> = [L; 3];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

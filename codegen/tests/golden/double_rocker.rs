@@ -1653,6 +1653,8 @@ pub mod double_rocker {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 7];
         type Discretes<L: Lanes> = [L; 4];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

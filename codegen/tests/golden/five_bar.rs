@@ -1502,6 +1502,8 @@ pub mod five_bar {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 4];
         type Discretes<L: Lanes> = [L; 2];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

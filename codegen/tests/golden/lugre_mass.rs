@@ -559,6 +559,8 @@ pub mod lugre_mass {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 3];
         type Discretes<L: Lanes> = [L; 1];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

@@ -422,6 +422,8 @@ pub mod pendulum {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 2];
         type Discretes<L: Lanes> = [L; 0];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

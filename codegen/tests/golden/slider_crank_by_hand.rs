@@ -639,6 +639,8 @@ pub mod slider_crank_by_hand {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 2];
         type Discretes<L: Lanes> = [L; 3];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 1];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

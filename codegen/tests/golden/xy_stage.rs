@@ -830,6 +830,8 @@ pub mod xy_stage {
         type InLanes<L: Lanes> = Prepared<L>;
         type States<L: Lanes> = [L; 4];
         type Discretes<L: Lanes> = [L; 0];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

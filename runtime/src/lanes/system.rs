@@ -36,6 +36,10 @@ pub trait LaneSystem: System {
     type States<L: Lanes>: Row<L>;
     /// A discrete state.
     type Discretes<L: Lanes>: Row<L>;
+    /// A number for each loop.
+    type Loops<L: Lanes>: Row<L>;
+    /// A number for each event.
+    type Events<L: Lanes>: Row<L>;
 
     /// This parameter set in every lane.
     fn in_every_lane<L: Lanes>(&self) -> Self::InLanes<L>;

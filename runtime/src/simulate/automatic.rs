@@ -267,11 +267,11 @@ impl Method for Automatic {
         }
     }
 
-    fn error(&self, h: f64, allowed: &[f64]) -> f64 {
+    fn error_squared(&self, h: f64, allowed: &[f64]) -> f64 {
         if self.is_stiff {
-            self.stiff.error(h, allowed)
+            self.stiff.error_squared(h, allowed)
         } else {
-            self.explicit.error(h, allowed)
+            self.explicit.error_squared(h, allowed)
         }
     }
 

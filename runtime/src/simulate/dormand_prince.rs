@@ -55,18 +55,20 @@ pub(super) fn changed<T: Real>(a: &[T], b: &[T], unit: &[T]) -> T {
     sum
 }
 
-/// out = x + h Σ row · k. Inlined, so that every row becomes straight code.
+/// out = x + h Σ row · k, where `last` are the rates of the row's last entry, which may still be in
+/// registers. Inlined, so that every row becomes straight code.
 #[inline(always)]
 pub(super) fn advance<T: Real, K: AsRef<[T]>, const N: usize>(
     row: &[Entry; N],
     k: &[K],
+    last: &[T],
     h: T,
     x: &[T],
     out: &mut [T],
 ) {
     let n = x.len();
-    let mut rates: [&[T]; N] = [&[]; N];
-    for m in 0..N {
+    let mut rates: [&[T]; N] = [&last[..n]; N];
+    for m in 0..N - 1 {
         rates[m] = &k[row[m].0 - 1].as_ref()[..n];
     }
     let out = &mut out[..n];
@@ -89,7 +91,7 @@ fn combined<T: Real, K: AsRef<[T]>, const N: usize>(row: &[Entry; N], k: &[K], i
     sum
 }
 
-/// Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the step; or the
+/// The square of Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the step; or the
 /// estimate of order 6, if larger; from the rates `k` at the stages, each quantity's error by
 /// `unit`.
 ///
@@ -110,10 +112,8 @@ pub(super) fn estimate<T: Real, K: AsRef<[T]>>(k: &[K], h: T, unit: &[T]) -> T {
         sixth = of_sixth.times_plus(of_sixth, sixth);
     }
     let sum = fifth + third * 0.01;
-    let count = unit.len() as f64;
-    let combined = fifth / (sum * count).sqrt();
-    let error = h * combined.larger((sixth / count).sqrt());
-    sum.if_positive(error, sum)
+    let combined = (fifth * fifth / sum).larger(sixth) * (unit.len() as f64).recip();
+    sum.if_positive(h * h * combined, sum)
 }
 
 /// The change within a step up to a fraction of it, by the nested form of the dense output.
@@ -152,17 +152,18 @@ impl Method for DormandPrince {
         k[0].copy_from_slice(f);
         macro_rules! stages {
             ($($position:literal: $row:ident),+) => {$(
-                advance(&stage::$row, k, h, x, stage);
+                let last = &k[$position - 2];
+                advance(&stage::$row, k, last, h, x, stage);
                 flow.rates(t + TIMES[$position - 1] * h, stage, d, &mut k[$position - 1]);
             )+};
         }
         stages!(2: A2, 3: A3, 4: A4, 5: A5, 6: A6, 7: A7, 8: A8, 9: A9, 10: A10, 11: A11);
-        advance(&stage::A12, k, h, x, twelfth);
+        advance(&stage::A12, k, &k[10], h, x, twelfth);
         flow.rates(t + TIMES[11] * h, twelfth, d, &mut k[11]);
-        advance(&WEIGHTS, k, h, x, x_end);
+        advance(&WEIGHTS, k, &k[11], h, x, x_end);
     }
 
-    fn error(&self, h: f64, allowed: &[f64]) -> f64 {
+    fn error_squared(&self, h: f64, allowed: &[f64]) -> f64 {
         let unit: Vec<f64> = allowed.iter().map(|allowed| allowed.recip()).collect();
         estimate(&self.k, h, &unit)
     }
@@ -174,7 +175,8 @@ impl Method for DormandPrince {
         k[12].copy_from_slice(step.f_end);
         macro_rules! stages {
             ($($position:literal: $row:ident),+) => {$(
-                advance(&stage::$row, k, step.h, step.x, stage);
+                let last = &k[$position - 2];
+                advance(&stage::$row, k, last, step.h, step.x, stage);
                 let time = step.t + TIMES[$position - 1] * step.h;
                 flow.rates(time, stage, step.d, &mut k[$position - 1]);
             )+};

@@ -67,9 +67,9 @@ pub(super) trait Method {
         x_end: &mut [f64],
     );
 
-    /// Estimated error of the step just taken over the first quantities, each in units of
-    /// `allowed`: it may be accepted if not above 1.
-    fn error(&self, h: f64, allowed: &[f64]) -> f64;
+    /// Square of the estimated error of the step just taken over the first quantities, each in
+    /// units of `allowed`: it may be accepted if not above 1.
+    fn error_squared(&self, h: f64, allowed: &[f64]) -> f64;
 
     /// Makes ready to interpolate within the step just taken.
     fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>);

@@ -66,7 +66,7 @@ impl Method for RungeKutta {
         }
     }
 
-    fn error(&self, _h: f64, _allowed: &[f64]) -> f64 {
+    fn error_squared(&self, _h: f64, _allowed: &[f64]) -> f64 {
         0.0
     }
 

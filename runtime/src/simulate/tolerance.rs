@@ -19,8 +19,8 @@ pub(super) struct StepControl {
     pub longest: f64,
     /// Length wanted for the next step.
     pub wanted: f64,
-    /// Error of the last accepted step.
-    pub last_error: f64,
+    /// Logarithm of the error of the last accepted step.
+    pub memory: f64,
     /// Whether the last step was rejected.
     pub was_rejected: bool,
     pub states: Vec<Tolerated>,
@@ -31,8 +31,10 @@ pub(super) struct StepControl {
 /// What the tolerance of one state rests on.
 #[derive(Clone)]
 pub(super) struct Tolerated {
-    /// Tolerance given by the user.
-    absolute: Option<f64>,
+    /// Tolerance given by the user; zero for none.
+    absolute: f64,
+    /// This share of the state itself counts as an excursion.
+    share: f64,
     /// Value at the start of the run.
     pub start: f64,
     /// Largest excursion from it so far.
@@ -72,13 +74,13 @@ impl StepControl {
                     "give one above zero",
                 ));
             }
-            tolerated[index].absolute = Some(*tolerance);
+            tolerated[index].within(*tolerance);
         }
         Ok(Self {
             relative,
             longest,
             wanted: longest.min(until),
-            last_error: 1e-4,
+            memory: least_memory(),
             was_rejected: false,
             allowed: vec![0.0; states.len()],
             states: tolerated,
@@ -97,7 +99,7 @@ impl StepControl {
     /// The error that each state may have in a step to `x_end`.
     pub fn allowed(&mut self, x: &[f64], x_end: &[f64]) -> &[f64] {
         for (i, (allowed, state)) in self.allowed.iter_mut().zip(&self.states).enumerate() {
-            let excursion = state.excursion_at(state.start, state.excursion, x_end[i]);
+            let excursion = excursion_at(state.start, state.excursion, x_end[i]);
             *allowed = state.allowed(self.relative, excursion, x[i], x_end[i]);
         }
         &self.allowed
@@ -110,20 +112,21 @@ impl StepControl {
 
     /// The next step's length after one of length `h` whose error, of `order` in the step, was
     /// acceptable.
-    pub fn accepted(&mut self, h: f64, error: f64, order: f64, x_end: &[f64]) {
+    pub fn accepted(&mut self, h: f64, error_squared: f64, order: f64, x_end: &[f64]) {
         for (state, &x) in self.states.iter_mut().zip(x_end) {
-            state.excursion = state.excursion_at(state.start, state.excursion, x);
+            state.excursion = excursion_at(state.start, state.excursion, x);
         }
         let most = growth_limit(if self.was_rejected { 1.0 } else { -1.0 });
-        let logarithms = [Real::ln(error), Real::ln(self.last_error)];
+        let logarithm = 0.5 * Real::ln(error_squared);
+        let logarithms = [logarithm, self.memory];
         self.wanted = length_after(h, logarithms, order, most, self.wanted, self.longest);
-        (self.last_error, _) = remembered(error, logarithms[0]);
+        self.memory = remembered(logarithm);
         self.was_rejected = false;
     }
 
     /// After a step of length `h` whose error, of `order` in the step, was too large.
-    pub fn too_inaccurate(&mut self, h: f64, error: f64, order: f64) {
-        self.cut(h, share_of_rejected(Real::ln(error), order));
+    pub fn too_inaccurate(&mut self, h: f64, error_squared: f64, order: f64) {
+        self.cut(h, share_of_rejected(0.5 * Real::ln(error_squared), order));
     }
 
     /// After a step of length `h` that cannot be taken at all.
@@ -135,7 +138,7 @@ impl StepControl {
     /// Forgets what the last step taught: the motion goes on differently.
     pub fn restart(&mut self, longest: f64) {
         self.wanted = self.wanted.min(longest);
-        self.last_error = 1e-4;
+        self.memory = least_memory();
     }
 }
 
@@ -172,15 +175,22 @@ pub(super) fn length_after<T: Real>(
         .smaller(longest)
 }
 
-/// The error of an accepted step as the next one's control sees it, and its logarithm.
+/// The logarithm of the error of an accepted step as the next one's control sees it.
 #[inline(always)]
-pub(super) fn remembered<T: Real>(error: T, logarithm: T) -> (T, T) {
-    let least = T::from_f64(1e-4);
-    let over = error - least;
-    (
-        over.if_positive(error, least),
-        over.if_positive(logarithm, least.ln()),
-    )
+pub(super) fn remembered<T: Real>(logarithm: T) -> T {
+    logarithm.larger(T::from_f64(least_memory()))
+}
+
+/// What is remembered of a step that was hardly a challenge, or of none.
+#[inline(always)]
+fn least_memory() -> f64 {
+    -4.0 * std::f64::consts::LN_10
+}
+
+/// The largest excursion from `start`, which was `excursion`, with one to `x`.
+#[inline(always)]
+pub(super) fn excursion_at<T: Real>(start: T, excursion: T, x: T) -> T {
+    excursion.larger((x - start).abs())
 }
 
 /// The share of a step whose error, of this logarithm and of `order` in the step, was too large
@@ -194,23 +204,19 @@ pub(super) fn share_of_rejected<T: Real>(logarithm: T, order: f64) -> T {
 }
 
 impl Tolerated {
-    /// The largest excursion from `start`, which was `excursion`, with one to `x`.
-    #[inline(always)]
-    pub fn excursion_at<T: Real>(&self, start: T, excursion: T, x: T) -> T {
-        excursion.larger((x - start).abs())
-    }
-
     /// The error that a step from `x` to `x_end` may have, with that one's excursion.
     #[inline(always)]
     pub fn allowed<T: Real>(&self, relative: f64, excursion: T, x: T, x_end: T) -> T {
         let size = x.abs().larger(x_end.abs());
-        match self.absolute {
-            Some(absolute) => size * relative + absolute,
-            None => {
-                let scale = excursion.smaller(T::from_f64(self.most));
-                scale.larger(size * 1e-6).larger(T::from_f64(self.least)) * relative
-            }
-        }
+        let scale = excursion.smaller(T::from_f64(self.most));
+        let scale = scale.larger(size * self.share);
+        scale.larger(T::from_f64(self.least)) * relative + self.absolute
+    }
+
+    /// Holds the error below `tolerance` plus the relative tolerance times the state's size.
+    fn within(&mut self, tolerance: f64) {
+        self.absolute = tolerance;
+        (self.most, self.least, self.share) = (0.0, 0.0, 1.0);
     }
 
     fn new(state: &Variable) -> Self {
@@ -220,7 +226,8 @@ impl Tolerated {
             _ => (f64::INFINITY, 1e-12),
         };
         Self {
-            absolute: None,
+            absolute: 0.0,
+            share: 1e-6,
             start: 0.0,
             excursion: 0.0,
             most,

@@ -287,7 +287,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         self.shortened == f64::INFINITY && self.crossings.are_quiet()
     }
 
-    /// Takes a step to `x_end`, `d_end`, `f_end`; its error in units of what is allowed.
+    /// Takes a step to `x_end`, `d_end`, `f_end`; the square of its error in units of what is allowed.
     fn attempt(&mut self, trial: Trial) -> Result<f64, Rejection> {
         self.method.step(
             &mut self.flow,
@@ -305,7 +305,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         if let Pace::Adaptive(control) = &mut self.stand.pace {
             let states = self.flow.states;
             let allowed = control.allowed(&self.stand.x[..states], &self.x_end[..states]);
-            error = self.method.error(trial.h, allowed);
+            error = self.method.error_squared(trial.h, allowed);
             if error.is_nan() {
                 return Err(Rejection::NotFinite);
             }

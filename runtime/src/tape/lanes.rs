@@ -39,6 +39,8 @@ impl LaneSystem for TapePrepared {
     type InLanes<L: Lanes> = TapeLanes<L>;
     type States<L: Lanes> = Vec<L>;
     type Discretes<L: Lanes> = Vec<L>;
+    type Loops<L: Lanes> = Vec<L>;
+    type Events<L: Lanes> = Vec<L>;
 
     fn in_every_lane<L: Lanes>(&self) -> TapeLanes<L> {
         TapeLanes {

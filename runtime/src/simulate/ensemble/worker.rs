@@ -83,7 +83,7 @@ impl<S: LaneSystem> Task for Worker<'_, S> {
             Accuracy::Step(dt) => self.follow::<L, Lockstep<L>, _>(&|_, states| {
                 Ok((RungeKutta::new(states.len()), Pace::fixed(dt)))
             }),
-            Accuracy::Relative(rtol) => self.follow::<L, OwnSteps<L>, _>(&|settings, states| {
+            Accuracy::Relative(rtol) => self.follow::<L, OwnSteps<S, L>, _>(&|settings, states| {
                 let control = settings.control(rtol, states)?;
                 Ok((DormandPrince::new(states.len()), Pace::Adaptive(control)))
             }),
@@ -114,7 +114,7 @@ struct Crew<'q, 'f, S: LaneSystem, L: Lanes, P, M> {
 
 impl<'q, S: LaneSystem> Worker<'q, S> {
     #[inline(always)]
-    fn follow<L: Lanes, P: Steps<L>, M: Method>(
+    fn follow<L: Lanes, P: Steps<S, L>, M: Method>(
         self,
         start: Start<'_, M>,
     ) -> Vec<(usize, Outcome)> {
@@ -171,7 +171,7 @@ impl<'q, S: LaneSystem> Worker<'q, S> {
     }
 }
 
-impl<S: LaneSystem, L: Lanes, P: Steps<L>, M: Method> Crew<'_, '_, S, L, P, M> {
+impl<S: LaneSystem, L: Lanes, P: Steps<S, L>, M: Method> Crew<'_, '_, S, L, P, M> {
     /// Brings every seat to where its lane can go on; how many can, and how many are not there yet.
     fn settle(&mut self) -> (usize, usize) {
         let (mut moving, mut waiting) = (0, 0);

@@ -19,9 +19,10 @@ pub(in crate::simulate) struct Block<S: LaneSystem, L: Lanes> {
     active: L,
     /// Steps that ended outside of tables since a lane was taken up.
     outside_tables: L,
-    turning: Vec<usize>,
-    loops: Loops<L>,
-    events: Events<L>,
+    /// How far each discrete number may go in a step.
+    room: S::Discretes<L>,
+    loops: Loops<S, L>,
+    events: Events<S, L>,
 }
 
 /// An end of a step, in each lane.
@@ -46,53 +47,58 @@ impl<S: LaneSystem, L: Lanes> Clone for Point<S, L> {
 }
 
 /// Sines of the transmission angles.
-struct Loops<L> {
+struct Loops<S: LaneSystem, L: Lanes> {
     /// At the start of the last step, where each lane stands, and where the step tried ends.
-    before: Vec<L>,
-    here: Vec<L>,
-    end: Vec<L>,
+    before: S::Loops<L>,
+    here: S::Loops<L>,
+    end: S::Loops<L>,
     /// The last step.
     passed: L,
 }
 
 /// Values of the event functions at three looks after each other.
-struct Events<L> {
-    earlier: Vec<L>,
-    last: Vec<L>,
-    here: Vec<L>,
-    x: Vec<L>,
+struct Events<S: LaneSystem, L: Lanes> {
+    earlier: S::Events<L>,
+    last: S::Events<L>,
+    here: S::Events<L>,
+    x: S::States<L>,
 }
 
 impl<S: LaneSystem, L: Lanes> Block<S, L> {
     /// No lane is under way yet; `system` stands in for those that will be.
     pub fn new(system: &S, u: &[f64]) -> Self {
         let zero = L::from_f64(0.0);
-        let lanes = |count: usize| vec![zero; count];
         let (n, m) = (system.states().len(), system.discretes().len());
-        let (loops, events) = (system.loop_count(), system.event_count());
+        let states: S::States<L> = Row::filled(zero, n);
+        let loops: S::Loops<L> = Row::filled(zero, system.loop_count());
+        let events: S::Events<L> = Row::filled(zero, system.event_count());
+        let mut room: S::Discretes<L> = Row::filled(L::from_f64(f64::INFINITY), m);
+        for &index in system.turning() {
+            room.as_mut()[index] = L::from_f64(QUARTER_TURN);
+        }
         Self {
             system: system.in_every_lane(),
             u: u.iter().map(|value| L::from_f64(*value)).collect(),
             here: Point {
                 t: zero,
-                x: Row::filled(zero, n),
+                x: states.clone(),
                 d: Row::filled(zero, m),
-                f: Row::filled(zero, n),
+                f: states.clone(),
             },
             active: L::from_f64(-1.0),
             outside_tables: zero,
-            turning: system.turning().to_vec(),
+            room,
             loops: Loops {
-                before: lanes(loops),
-                here: lanes(loops),
-                end: lanes(loops),
+                before: loops.clone(),
+                here: loops.clone(),
+                end: loops,
                 passed: zero,
             },
             events: Events {
-                earlier: lanes(events),
-                last: lanes(events),
-                here: lanes(events),
-                x: lanes(n),
+                earlier: events.clone(),
+                last: events.clone(),
+                here: events,
+                x: states,
             },
         }
     }
@@ -112,7 +118,7 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             }
         }
         for (index, sine) in stand.approach.sines().iter().enumerate() {
-            self.loops.here[index].set_entry(lane, *sine);
+            self.loops.here.as_mut()[index].set_entry(lane, *sine);
         }
     }
 
@@ -139,8 +145,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             .approach
             .follow(stand.t, loops.passed.entry(lane), |index| {
                 (
-                    loops.before[index].entry(lane),
-                    loops.here[index].entry(lane),
+                    loops.before.as_ref()[index].entry(lane),
+                    loops.here.as_ref()[index].entry(lane),
                 )
             });
     }
@@ -178,9 +184,9 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         for value in to.f.as_ref() {
             margin = value.times_plus(zero, margin);
         }
-        for &index in &self.turning {
-            let turn = (to.d.as_ref()[index] - from.d.as_ref()[index]).abs();
-            margin = also(margin, L::from_f64(QUARTER_TURN) - turn);
+        let ends = from.d.as_ref().iter().zip(to.d.as_ref());
+        for ((from, to), room) in ends.zip(self.room.as_ref()) {
+            margin = also(margin, *room - (*to - *from).abs());
         }
         margin = self.judge_loops(margin, to);
         self.judge_events(margin, from, to, h, looks)
@@ -189,6 +195,7 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
     #[inline(always)]
     fn judge_loops(&mut self, mut margin: L, to: &Point<S, L>) -> L {
         let Loops { here, end, .. } = &mut self.loops;
+        let (here, end) = (here.as_ref(), end.as_mut());
         if end.is_empty() {
             return margin;
         }
@@ -219,6 +226,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             here,
             x,
         } = &mut self.events;
+        let (earlier, last) = (earlier.as_mut(), last.as_mut());
+        let (here, x) = (here.as_mut(), x.as_mut());
         if here.is_empty() {
             return margin;
         }
@@ -242,8 +251,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
                     margin = also(margin, room([(a, earlier[i]), (b, last[i]), (c, here[i])]));
                 }
             }
-            std::mem::swap(earlier, last);
-            std::mem::swap(last, here);
+            earlier.copy_from_slice(last);
+            last.copy_from_slice(here);
             (a, b) = (b, c);
         }
         margin
@@ -254,7 +263,7 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
     #[inline(always)]
     pub fn may_step(&self, h: L, passed: L) -> L {
         let mut margin = L::from_f64(1.0);
-        for (end, here) in self.loops.end.iter().zip(&self.loops.here) {
+        for (end, here) in self.loops.end.as_ref().iter().zip(self.loops.here.as_ref()) {
             let fallen = *here - *end;
             margin = also(margin, *end * passed - fallen * h * 2.0);
         }
@@ -267,7 +276,7 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
     pub fn longest_step(&self, passed: L) -> L {
         let never = L::from_f64(f64::INFINITY);
         let mut longest = never;
-        for (end, here) in self.loops.end.iter().zip(&self.loops.here) {
+        for (end, here) in self.loops.end.as_ref().iter().zip(self.loops.here.as_ref()) {
             let fallen = *here - *end;
             if fallen.any_positive() {
                 let left = *end / (fallen / passed);
@@ -285,8 +294,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         let Loops {
             before, here, end, ..
         } = &mut self.loops;
-        std::mem::swap(before, here);
-        std::mem::swap(here, end);
+        before.as_mut().copy_from_slice(here.as_ref());
+        here.as_mut().copy_from_slice(end.as_ref());
     }
 
     /// The lanes where `taken` is positive have moved on by the step just judged, to `end`.
@@ -295,8 +304,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         self.count_outside(taken, end);
         let loops = &mut self.loops;
         loops.passed = taken.if_positive(passed, loops.passed);
-        copy_where(taken, &loops.here, &mut loops.before);
-        copy_where(taken, &loops.end, &mut loops.here);
+        copy_where(taken, loops.here.as_ref(), loops.before.as_mut());
+        copy_where(taken, loops.end.as_ref(), loops.here.as_mut());
     }
 
     #[inline(always)]
@@ -311,6 +320,15 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
 }
 
 impl<S: LaneSystem, L: Lanes> Point<S, L> {
+    /// Takes over from `other`, number by number: swapping would send them through memory.
+    #[inline(always)]
+    pub fn take(&mut self, other: &Self) {
+        self.t = other.t;
+        self.x.as_mut().copy_from_slice(other.x.as_ref());
+        self.d.as_mut().copy_from_slice(other.d.as_ref());
+        self.f.as_mut().copy_from_slice(other.f.as_ref());
+    }
+
     /// Takes over from `other` the lanes where `wanted` is positive.
     #[inline(always)]
     pub fn take_where(&mut self, wanted: L, other: &Self) {

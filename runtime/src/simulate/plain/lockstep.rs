@@ -57,7 +57,7 @@ fn step<S: LaneSystem, L: Lanes>(
     }
 }
 
-impl<L: Lanes> Steps<L> for Lockstep<L> {
+impl<S: LaneSystem, L: Lanes> Steps<S, L> for Lockstep<L> {
     fn new(_: usize) -> Self {
         let zero = L::from_f64(0.0);
         Self {
@@ -95,13 +95,7 @@ impl<L: Lanes> Steps<L> for Lockstep<L> {
         self.margin.set_entry(lane, 1.0);
     }
 
-    fn store<S: LaneSystem>(
-        &mut self,
-        lane: usize,
-        stand: &mut Stand,
-        way: Way<'_>,
-        block: &mut Block<S, L>,
-    ) {
+    fn store(&mut self, lane: usize, stand: &mut Stand, way: Way<'_>, block: &mut Block<S, L>) {
         let Pace::Fixed(equal) = &mut stand.pace else {
             return;
         };
@@ -118,7 +112,7 @@ impl<L: Lanes> Steps<L> for Lockstep<L> {
     }
 
     #[inline(always)]
-    fn advance<S: LaneSystem>(&mut self, block: &mut Block<S, L>, rounds: u64) {
+    fn advance(&mut self, block: &mut Block<S, L>, rounds: u64) {
         let left = block.least(self.steps.smaller(self.most) - self.taken);
         let mut here = block.here.clone();
         let (mut end, mut stage) = (here.clone(), here.x.clone());
@@ -136,7 +130,7 @@ impl<L: Lanes> Steps<L> for Lockstep<L> {
                 break;
             }
             block.follow(passed, &end);
-            std::mem::swap(&mut here, &mut end);
+            here.take(&end);
             self.taken = taken;
         }
         block.here = here;

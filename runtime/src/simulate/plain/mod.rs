@@ -40,7 +40,7 @@ impl PlainSteps<'_> {
     }
 
     #[inline(always)]
-    fn take<S: LaneSystem, L: Lanes, P: Steps<L>>(&mut self, system: &S) {
+    fn take<S: LaneSystem, L: Lanes, P: Steps<S, L>>(&mut self, system: &S) {
         if !P::can_take(self.stand, self.way.to) {
             return;
         }
@@ -69,7 +69,7 @@ impl<S: LaneSystem> Task for Alone<'_, '_, S> {
         let Self(steps, system) = self;
         match steps.stand.pace {
             Pace::Fixed(_) => steps.take::<S, L, Lockstep<L>>(system),
-            Pace::Adaptive(_) => steps.take::<S, L, OwnSteps<L>>(system),
+            Pace::Adaptive(_) => steps.take::<S, L, OwnSteps<S, L>>(system),
         }
     }
 }

@@ -2,8 +2,7 @@
 
 use super::block::{Block, Point, also, finite};
 use super::steps::{Steps, Verdict, Way};
-use crate::lanes::{LaneSystem, Lanes};
-use crate::real::Real;
+use crate::lanes::{LaneSystem, Lanes, Row};
 use crate::simulate::automatic::Watch;
 use crate::simulate::coefficients::{TIMES, WEIGHTS, stage};
 use crate::simulate::dormand_prince::{DormandPrince, advance, changed, estimate};
@@ -11,23 +10,22 @@ use crate::simulate::method::Method;
 use crate::simulate::pace::{Pace, Trial};
 use crate::simulate::stand::Stand;
 use crate::simulate::tolerance::{
-    Tolerated, growth_limit, length_after, remembered, share_of_rejected, shortest_step,
+    Tolerated, excursion_at, growth_limit, length_after, remembered, share_of_rejected,
+    shortest_step,
 };
 
 /// Stages of a step, the first of which is the rate at its start.
 const STAGES: usize = 12;
 
-pub(in crate::simulate) struct OwnSteps<L> {
+pub(in crate::simulate) struct OwnSteps<S: LaneSystem, L: Lanes> {
     /// What the tolerance of each state rests on: the same in all lanes but for these.
     states: Vec<Tolerated>,
-    start: Vec<L>,
-    excursion: Vec<L>,
+    start: S::States<L>,
+    excursion: S::States<L>,
     relative: f64,
     longest: f64,
     /// As in `StepControl`; positive where the last step was rejected.
     wanted: L,
-    last_error: L,
-    /// Logarithm of `last_error`.
     memory: L,
     was_rejected: L,
     /// How far the way to a dead point allows to go.
@@ -51,13 +49,15 @@ pub(in crate::simulate) struct OwnSteps<L> {
 struct Scratch<S: LaneSystem, L: Lanes> {
     /// Rates at the stages.
     k: [S::States<L>; STAGES],
+    /// The last of them.
+    last: S::States<L>,
     /// State at the last stage.
     stage: S::States<L>,
     /// One over the errors that are allowed.
     per_allowed: S::States<L>,
 }
 
-impl<L: Lanes> OwnSteps<L> {
+impl<S: LaneSystem, L: Lanes> OwnSteps<S, L> {
     /// Length and end of the next step, as [`Pace::next`].
     #[inline(always)]
     fn next(&self, t: L) -> (L, L) {
@@ -70,10 +70,10 @@ impl<L: Lanes> OwnSteps<L> {
         (h, over.if_positive(t + self.approach, end))
     }
 
-    /// Steps by `h` from `from` to `to`, whose time is set, in every lane; the error in units of
-    /// what is allowed.
+    /// Steps by `h` from `from` to `to`, whose time is set, in every lane; the square of the
+    /// error in units of what is allowed.
     #[inline(always)]
-    fn step<S: LaneSystem>(
+    fn step(
         &self,
         block: &Block<S, L>,
         h: L,
@@ -84,35 +84,38 @@ impl<L: Lanes> OwnSteps<L> {
         let mut error = L::from_f64(0.0);
         let Scratch {
             k,
+            last,
             stage,
             per_allowed,
         } = scratch;
         k[0].as_mut().copy_from_slice(from.f.as_ref());
+        last.as_mut().copy_from_slice(from.f.as_ref());
         for index in 1..=STAGES {
             let (x, state) = (from.x.as_ref(), stage.as_mut());
+            let (rates, newest) = (&*k, last.as_ref());
             match index {
-                1 => advance(&stage::A2, k, h, x, state),
-                2 => advance(&stage::A3, k, h, x, state),
-                3 => advance(&stage::A4, k, h, x, state),
-                4 => advance(&stage::A5, k, h, x, state),
-                5 => advance(&stage::A6, k, h, x, state),
-                6 => advance(&stage::A7, k, h, x, state),
-                7 => advance(&stage::A8, k, h, x, state),
-                8 => advance(&stage::A9, k, h, x, state),
-                9 => advance(&stage::A10, k, h, x, state),
-                10 => advance(&stage::A11, k, h, x, state),
-                11 => advance(&stage::A12, k, h, x, state),
+                1 => advance(&stage::A2, rates, newest, h, x, state),
+                2 => advance(&stage::A3, rates, newest, h, x, state),
+                3 => advance(&stage::A4, rates, newest, h, x, state),
+                4 => advance(&stage::A5, rates, newest, h, x, state),
+                5 => advance(&stage::A6, rates, newest, h, x, state),
+                6 => advance(&stage::A7, rates, newest, h, x, state),
+                7 => advance(&stage::A8, rates, newest, h, x, state),
+                8 => advance(&stage::A9, rates, newest, h, x, state),
+                9 => advance(&stage::A10, rates, newest, h, x, state),
+                10 => advance(&stage::A11, rates, newest, h, x, state),
+                11 => advance(&stage::A12, rates, newest, h, x, state),
                 _ => {
                     let x_end = to.x.as_mut();
-                    advance(&WEIGHTS, k, h, x, x_end);
+                    advance(&WEIGHTS, rates, newest, h, x, x_end);
                     let unit = per_allowed.as_mut();
                     for (i, state) in self.states[..x.len()].iter().enumerate() {
-                        let (start, before) = (self.start[i], self.excursion[i]);
-                        let excursion = state.excursion_at(start, before, x_end[i]);
+                        let (start, before) = (self.start.as_ref()[i], self.excursion.as_ref()[i]);
+                        let excursion = excursion_at(start, before, x_end[i]);
                         let allowed = state.allowed(self.relative, excursion, x[i], x_end[i]);
                         unit[i] = allowed.recip();
                     }
-                    error = estimate(k, h, unit);
+                    error = estimate(rates, h, unit);
                     if !block.any_positive(-error + 1.0) {
                         return error;
                     }
@@ -125,7 +128,8 @@ impl<L: Lanes> OwnSteps<L> {
             if index < STAGES {
                 let time = from.t + h * TIMES[index];
                 let (state, d) = (stage.as_ref(), from.d.as_ref());
-                S::rhs_in_lanes(system, time, state, d, u, k[index].as_mut());
+                S::rhs_in_lanes(system, time, state, d, u, last.as_mut());
+                k[index].as_mut().copy_from_slice(last.as_ref());
             } else {
                 let (x, d) = (to.x.as_ref(), to.d.as_ref());
                 S::rhs_in_lanes(system, to.t, x, d, u, to.f.as_mut());
@@ -134,9 +138,9 @@ impl<L: Lanes> OwnSteps<L> {
         error
     }
 
-    /// Draws the conclusions from a step of length `h` with this error.
+    /// Draws the conclusions from a step of length `h` whose error has this square.
     #[inline(always)]
-    fn conclude<S: LaneSystem>(
+    fn conclude(
         &mut self,
         block: &mut Block<S, L>,
         h: L,
@@ -146,14 +150,14 @@ impl<L: Lanes> OwnSteps<L> {
         scratch: &Scratch<S, L>,
     ) {
         let no = L::from_f64(-1.0);
-        let logarithm = error.ln();
+        let logarithm = error.ln() * 0.5;
         let (good, bad) = (-error + 1.0, error - 1.0);
         let mut plain = no;
         if block.any_positive(good) {
             plain = block.judge(from, to, h, DormandPrince::LOOKS);
             if let Some(watch) = &mut self.watch {
                 let unit = scratch.per_allowed.as_ref();
-                let rates = changed(to.f.as_ref(), scratch.k[STAGES - 1].as_ref(), unit);
+                let rates = changed(to.f.as_ref(), scratch.last.as_ref(), unit);
                 let state = changed(to.x.as_ref(), scratch.stage.as_ref(), unit);
                 plain = also(plain, watch.judge(h, [rates, state]));
             }
@@ -177,15 +181,13 @@ impl<L: Lanes> OwnSteps<L> {
             L::from_f64(self.longest),
         );
         self.wanted = accepted.if_positive(longer, rejected.if_positive(shorter, self.wanted));
-        let (last_error, memory) = remembered(error, logarithm);
-        self.last_error = accepted.if_positive(last_error, self.last_error);
-        self.memory = accepted.if_positive(memory, self.memory);
+        self.memory = accepted.if_positive(remembered(logarithm), self.memory);
         let was_rejected = rejected.if_positive(L::from_f64(1.0), self.was_rejected);
         self.was_rejected = accepted.if_positive(no, was_rejected);
-        for (i, state) in self.states.iter().enumerate() {
-            let (start, before) = (self.start[i], self.excursion[i]);
-            let excursion = state.excursion_at(start, before, to.x.as_ref()[i]);
-            self.excursion[i] = accepted.if_positive(excursion, before);
+        let starts = self.start.as_ref().iter().zip(to.x.as_ref());
+        for (excursion, (start, x)) in self.excursion.as_mut().iter_mut().zip(starts) {
+            let farthest = excursion_at(*start, *excursion, *x);
+            *excursion = accepted.if_positive(farthest, *excursion);
         }
         let passed = to.t - from.t;
         self.approach = accepted.if_positive(block.longest_step(passed), self.approach);
@@ -199,17 +201,16 @@ impl<L: Lanes> OwnSteps<L> {
     }
 }
 
-impl<L: Lanes> Steps<L> for OwnSteps<L> {
+impl<S: LaneSystem, L: Lanes> Steps<S, L> for OwnSteps<S, L> {
     fn new(states: usize) -> Self {
         let zero = L::from_f64(0.0);
         Self {
             states: Vec::new(),
-            start: vec![zero; states],
-            excursion: vec![zero; states],
+            start: Row::filled(zero, states),
+            excursion: Row::filled(zero, states),
             relative: 0.0,
             longest: 0.0,
             wanted: zero,
-            last_error: L::from_f64(1.0),
             memory: zero,
             was_rejected: zero,
             approach: zero,
@@ -237,13 +238,12 @@ impl<L: Lanes> Steps<L> for OwnSteps<L> {
         self.relative = control.relative;
         self.longest = control.longest;
         self.wanted.set_entry(lane, control.wanted);
-        self.last_error.set_entry(lane, control.last_error);
-        self.memory.set_entry(lane, Real::ln(control.last_error));
+        self.memory.set_entry(lane, control.memory);
         let was_rejected = if control.was_rejected { 1.0 } else { -1.0 };
         self.was_rejected.set_entry(lane, was_rejected);
         for (i, state) in control.states.iter().enumerate() {
-            self.start[i].set_entry(lane, state.start);
-            self.excursion[i].set_entry(lane, state.excursion);
+            self.start.as_mut()[i].set_entry(lane, state.start);
+            self.excursion.as_mut()[i].set_entry(lane, state.excursion);
         }
         self.approach.set_entry(lane, stand.approach.longest_step());
         self.to.set_entry(lane, way.to);
@@ -258,13 +258,7 @@ impl<L: Lanes> Steps<L> for OwnSteps<L> {
         self.watch = way.watch.as_ref().map(|watch| watch.on_lanes());
     }
 
-    fn store<S: LaneSystem>(
-        &mut self,
-        lane: usize,
-        stand: &mut Stand,
-        way: Way<'_>,
-        block: &mut Block<S, L>,
-    ) {
+    fn store(&mut self, lane: usize, stand: &mut Stand, way: Way<'_>, block: &mut Block<S, L>) {
         let accepted = self.accepted.entry(lane) as u64;
         let tried = self.tried.entry(lane) as u64;
         stand.tried += tried;
@@ -272,9 +266,9 @@ impl<L: Lanes> Steps<L> for OwnSteps<L> {
         stand.statistics.evaluations += (STAGES as u64 - 1) * tried + accepted;
         if let Pace::Adaptive(control) = &mut stand.pace {
             control.wanted = self.wanted.entry(lane);
-            control.last_error = self.last_error.entry(lane);
+            control.memory = self.memory.entry(lane);
             control.was_rejected = self.was_rejected.entry(lane) > 0.0;
-            for (state, excursion) in control.states.iter_mut().zip(&self.excursion) {
+            for (state, excursion) in control.states.iter_mut().zip(self.excursion.as_ref()) {
                 state.excursion = excursion.entry(lane);
             }
         }
@@ -287,12 +281,13 @@ impl<L: Lanes> Steps<L> for OwnSteps<L> {
     }
 
     #[inline(always)]
-    fn advance<S: LaneSystem>(&mut self, block: &mut Block<S, L>, rounds: u64) {
+    fn advance(&mut self, block: &mut Block<S, L>, rounds: u64) {
         let left = block.least(self.most - self.tried);
         let mut here = block.here.clone();
         let mut end = here.clone();
         let mut scratch = Scratch::<S, L> {
             k: std::array::from_fn(|_| here.x.clone()),
+            last: here.x.clone(),
             stage: here.x.clone(),
             per_allowed: here.x.clone(),
         };

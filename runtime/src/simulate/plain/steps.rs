@@ -38,7 +38,7 @@ impl Way<'_> {
 }
 
 /// Plain steps of several trajectories, which a walk with the same method would take alike.
-pub(in crate::simulate) trait Steps<L: Lanes> {
+pub(in crate::simulate) trait Steps<S: LaneSystem, L: Lanes> {
     /// Idle lanes of so many states.
     fn new(states: usize) -> Self;
 
@@ -49,16 +49,10 @@ pub(in crate::simulate) trait Steps<L: Lanes> {
     fn load(&mut self, lane: usize, stand: &mut Stand, way: &Way<'_>);
 
     /// Puts down what the lane has come to on its way; the lane is idle then.
-    fn store<S: LaneSystem>(
-        &mut self,
-        lane: usize,
-        stand: &mut Stand,
-        way: Way<'_>,
-        block: &mut Block<S, L>,
-    );
+    fn store(&mut self, lane: usize, stand: &mut Stand, way: Way<'_>, block: &mut Block<S, L>);
 
     /// Goes on in all lanes until one of them is not under way any more, or for so many rounds.
-    fn advance<S: LaneSystem>(&mut self, block: &mut Block<S, L>, rounds: u64);
+    fn advance(&mut self, block: &mut Block<S, L>, rounds: u64);
 
     /// Where a lane that was under way is now.
     fn verdict(&self, lane: usize) -> Verdict;
