@@ -1,7 +1,9 @@
 //! Right-hand sides on lanes: every path, in any company, computes what plain numbers do.
 
 use flexure_models::double_rocker::{Params, Prepared, rhs};
-use flexure_runtime::lanes::{LaneSystem, Lanes, Path, Task, on_path, on_path_alone};
+use flexure_runtime::lanes::{
+    LaneSystem, Lanes, Path, Task, on_path, on_path_alone, on_path_in_one_register,
+};
 use proptest::prelude::*;
 
 /// Rates of the states of one trajectory each.
@@ -70,6 +72,7 @@ proptest! {
         for path in Path::ALL {
             let lanes = on_path(path, rates());
             prop_assert_eq!(&lanes, &on_path_alone(path, rates()), "{:?}", path);
+            prop_assert_eq!(&lanes, &on_path_in_one_register(path, rates()), "{:?}", path);
             // An acceleration is a difference of forces: errors are in proportion to the largest.
             for (ours, plain) in lanes.iter().zip(&plain) {
                 for (i, scale) in [1.0, 1e7, 1.0, 1e5, 1.0, 1e4, 1.0].into_iter().enumerate() {

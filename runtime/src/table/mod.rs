@@ -170,8 +170,11 @@ impl<T: Real, const N: usize> Table<T, N> {
         if !inside.any_positive() {
             return closed_form;
         }
-        let near = self.polynomials(coordinate);
-        std::array::from_fn(|k| inside.if_positive(near[k], closed_form[k]))
+        let mut near = self.polynomials(coordinate);
+        for k in 0..N {
+            near[k] = inside.if_positive(near[k], closed_form[k]);
+        }
+        near
     }
 
     /// Positive in lanes where there is an interval to be in, or might have been, and a value of the
@@ -211,18 +214,23 @@ impl<T: Real, const N: usize> Table<T, N> {
     fn up_to<const LAST: usize>(&self, s: T) -> [T; N] {
         let square = s * s;
         let fourth = square * square;
-        let group = |i: usize| -> [T; N] {
-            let c = &self.coefficients[i];
-            std::array::from_fn(|k| {
-                let low = c[1][k].times_plus(s, c[0][k]);
-                c[3][k].times_plus(s, c[2][k]).times_plus(square, low)
-            })
-        };
-        let mut sums = group(LAST);
+        let mut sums = self.coefficients[LAST][0];
+        for k in 0..N {
+            sums[k] = self.group(LAST, k, s, square);
+        }
         for i in (0..LAST).rev() {
-            let next = group(i);
-            sums = std::array::from_fn(|k| sums[k].times_plus(fourth, next[k]));
+            for k in 0..N {
+                sums[k] = sums[k].times_plus(fourth, self.group(i, k, s, square));
+            }
         }
         sums
+    }
+
+    /// One group of powers of one function.
+    #[inline(always)]
+    fn group(&self, i: usize, k: usize, s: T, square: T) -> T {
+        let c = &self.coefficients[i];
+        let low = c[1][k].times_plus(s, c[0][k]);
+        c[3][k].times_plus(s, c[2][k]).times_plus(square, low)
     }
 }
