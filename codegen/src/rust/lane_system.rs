@@ -3,17 +3,26 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::configuration;
+use super::body::Writer;
 use super::expression::unsuffixed;
-use crate::program::Program;
+use super::{configuration, curve};
 
 /// The implementation, by the functions that are generic over numbers anyway.
-pub(super) fn lane_system(program: &Program) -> TokenStream {
+pub(super) fn lane_system(writer: &Writer<'_>) -> TokenStream {
+    let program = writer.program;
     let states = unsuffixed(program.states.len());
     let discretes = unsuffixed(program.discretes.len());
     let loops = unsuffixed(program.loop_names.len());
     let events = unsuffixed(program.event_rows.len());
     let tables = configuration::of_lane_system(program);
+    let fitted = curve::fitted(writer);
+    let alone = (!fitted.is_empty()).then(|| {
+        quote! {
+            fn alone<L: Lanes>(&self) -> Prepared<L> {
+                Prepared { #fitted ..self.map(L::from_f64) }
+            }
+        }
+    });
     let functions = [quote!(rhs), quote!(events), quote!(closures)];
     let in_lanes = [
         quote!(rhs_in_lanes),
@@ -31,6 +40,7 @@ pub(super) fn lane_system(program: &Program) -> TokenStream {
             fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
                 self.map(L::from_f64)
             }
+            #alone
             fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
                 *lanes = lanes.zip(self, |mut number: L, value: f64| {
                     number.set_entry(lane, value);

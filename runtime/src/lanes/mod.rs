@@ -58,7 +58,7 @@ pub use system::{LaneSystem, Row};
 use crate::real::Real;
 
 /// A number with an entry for each of several trajectories.
-pub trait Lanes: Real {
+pub trait Lanes: Real + 'static {
     /// Number of entries.
     const COUNT: usize;
 

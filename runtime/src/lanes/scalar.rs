@@ -189,6 +189,10 @@ impl Real for Fused {
         Self(self.0.mul_add(factor.0, addend.0))
     }
     #[inline(always)]
+    fn plain(self) -> Option<f64> {
+        Some(self.0)
+    }
+    #[inline(always)]
     fn all_positive(self) -> bool {
         self.0 > 0.0
     }

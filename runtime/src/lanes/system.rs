@@ -31,7 +31,7 @@ impl<L: Copy> Row<L> for Vec<L> {
 /// the function of [`System`] gives for lane `i` alone, to the rounding of `L`'s own functions.
 pub trait LaneSystem: System {
     /// What depends on params alone, for as many parameter sets as there are lanes.
-    type InLanes<L: Lanes>;
+    type InLanes<L: Lanes>: 'static;
     /// A continuous state.
     type States<L: Lanes>: Row<L>;
     /// A discrete state.
@@ -43,6 +43,12 @@ pub trait LaneSystem: System {
 
     /// This parameter set in every lane.
     fn in_every_lane<L: Lanes>(&self) -> Self::InLanes<L>;
+
+    /// This parameter set for one trajectory alone, in every lane: also with what costs more in lanes
+    /// than it saves there. Results are not those of [`LaneSystem::in_every_lane`] to the last bit.
+    fn alone<L: Lanes>(&self) -> Self::InLanes<L> {
+        self.in_every_lane()
+    }
 
     /// Puts this parameter set into one lane, below [`Lanes::COUNT`]; the others stay. All must be
     /// of the same model.

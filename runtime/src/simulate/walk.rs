@@ -5,6 +5,7 @@
 //! of a drive), tries it, shortens it to the first event that it ran into, records the rows inside
 //! it, moves on, and passes the events and kinks where it then stands.
 
+use std::any::Any;
 use std::ops::ControlFlow;
 
 use super::accounting::Flow;
@@ -49,6 +50,8 @@ pub(super) struct Walk<'a, S: System + ?Sized, M> {
     kinks: Vec<f64>,
     /// Steps tried when progress was reported last.
     reported: u64,
+    /// What the system keeps for its plain steps.
+    in_lanes: Option<Box<dyn Any>>,
     summary: Summary,
 }
 
@@ -108,6 +111,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             f_end: vec![0.0; width],
             kinks: vec![f64::INFINITY; system.kink_count()],
             reported: 0,
+            in_lanes: None,
             summary: Summary::default(),
             stand: Stand {
                 t: 0.0,
@@ -224,6 +228,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         let mut steps = PlainSteps {
             stand: &mut self.stand,
             inputs: &self.flow.u,
+            in_lanes: &mut self.in_lanes,
             way: Way {
                 to,
                 row,

@@ -209,7 +209,9 @@ impl<S: LaneSystem, L: Lanes, P: Steps<S, L>, M: Method> Crew<'_, '_, S, L, P, M
                 continue;
             }
             let (block, _) = self.lanes.get_or_insert_with(|| {
-                let block = Block::new(walk.flow.system, &walk.flow.u);
+                let system = walk.flow.system;
+                let in_lanes = Box::new(system.in_every_lane());
+                let block = Block::new(system, in_lanes, &walk.flow.u);
                 (block, P::new(walk.stand.x.len()))
             });
             walk.flow.system.put_in_lane(lane, &mut block.system);

@@ -10,7 +10,7 @@ use crate::simulate::walk::QUARTER_TURN;
 
 /// Lanes that step together, each with a parameter set, a time and a state of its own.
 pub(in crate::simulate) struct Block<S: LaneSystem, L: Lanes> {
-    pub system: S::InLanes<L>,
+    pub system: Box<S::InLanes<L>>,
     /// Inputs.
     pub u: Vec<L>,
     /// Where each lane stands.
@@ -65,8 +65,9 @@ struct Events<S: LaneSystem, L: Lanes> {
 }
 
 impl<S: LaneSystem, L: Lanes> Block<S, L> {
-    /// No lane is under way yet; `system` stands in for those that will be.
-    pub fn new(system: &S, u: &[f64]) -> Self {
+    /// No lane is under way yet. Those that will be are of the model of `system`, with the parameter
+    /// sets `in_lanes`.
+    pub fn new(system: &S, in_lanes: Box<S::InLanes<L>>, u: &[f64]) -> Self {
         let zero = L::from_f64(0.0);
         let (n, m) = (system.states().len(), system.discretes().len());
         let states: S::States<L> = Row::filled(zero, n);
@@ -77,7 +78,7 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             room.as_mut()[index] = L::from_f64(QUARTER_TURN);
         }
         Self {
-            system: system.in_every_lane(),
+            system: in_lanes,
             u: u.iter().map(|value| L::from_f64(*value)).collect(),
             here: Point {
                 t: zero,

@@ -14,6 +14,8 @@ pub(super) use lockstep::Lockstep;
 pub(super) use own_steps::OwnSteps;
 pub(super) use steps::{Steps, Verdict, Way};
 
+use std::any::Any;
+
 use super::pace::Pace;
 use super::stand::Stand;
 use crate::lanes::{self, LaneSystem, Lanes, Task};
@@ -28,6 +30,8 @@ const MOST: u64 = 4096;
 pub struct PlainSteps<'w> {
     pub(super) stand: &'w mut Stand,
     pub(super) inputs: &'w [f64],
+    /// The system in its lane, kept from one call to the next.
+    pub(super) in_lanes: &'w mut Option<Box<dyn Any>>,
     pub(super) way: Way<'w>,
     /// Where they led, if there were any.
     pub(super) verdict: Option<Verdict>,
@@ -44,7 +48,9 @@ impl PlainSteps<'_> {
         if !P::can_take(self.stand, self.way.to) {
             return;
         }
-        let mut block = Block::<S, L>::new(system, self.inputs);
+        let kept = self.in_lanes.take().and_then(|any| any.downcast().ok());
+        let in_lanes = kept.unwrap_or_else(|| Box::new(system.alone::<L>()));
+        let mut block = Block::<S, L>::new(system, in_lanes, self.inputs);
         let mut steps = P::new(self.stand.x.len());
         block.load(0, self.stand);
         steps.load(0, self.stand, &self.way);
@@ -55,6 +61,7 @@ impl PlainSteps<'_> {
             ..self.way
         };
         steps.store(0, self.stand, way, &mut block);
+        *self.in_lanes = Some(block.system);
     }
 }
 
