@@ -231,16 +231,16 @@ impl<T: Real, const N: usize> Table<T, N> {
         sums
     }
 
-    /// One group of powers of one function, up to a degree.
+    /// One group of powers of one function, without those above the degree.
     #[inline(always)]
     fn group<const DEGREE: usize>(&self, i: usize, k: usize, s: T, square: T) -> T {
         let c = &self.coefficients[i];
-        let low = c[1][k].times_plus(s, c[0][k]);
+        let low = || c[1][k].times_plus(s, c[0][k]);
         match DEGREE - GROUP * i {
             0 => c[0][k],
-            1 => low,
-            2 => c[2][k].times_plus(square, low),
-            _ => c[3][k].times_plus(s, c[2][k]).times_plus(square, low),
+            1 => low(),
+            2 => c[2][k].times_plus(square, low()),
+            _ => c[3][k].times_plus(s, c[2][k]).times_plus(square, low()),
         }
     }
 }
