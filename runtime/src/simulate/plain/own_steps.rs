@@ -45,16 +45,19 @@ pub(in crate::simulate) struct OwnSteps<S: LaneSystem, L: Lanes> {
     watch: Option<Watch<L>>,
 }
 
-/// What a step goes through.
+/// Rates at the stages of a step.
+type Rates<S, L> = [<S as LaneSystem>::States<L>; STAGES];
+
+/// What a step goes through besides: apart from the rates, which are in memory, it may stay in
+/// registers.
 struct Scratch<S: LaneSystem, L: Lanes> {
-    /// Rates at the stages.
-    k: [S::States<L>; STAGES],
-    /// The last of them.
+    /// Rates at the last stage.
     last: S::States<L>,
     /// State at the last stage.
     stage: S::States<L>,
     /// One over the errors that are allowed.
     per_allowed: S::States<L>,
+    errors: S::States<L>,
 }
 
 impl<S: LaneSystem, L: Lanes> OwnSteps<S, L> {
@@ -79,14 +82,15 @@ impl<S: LaneSystem, L: Lanes> OwnSteps<S, L> {
         h: L,
         from: &Point<S, L>,
         to: &mut Point<S, L>,
+        k: &mut Rates<S, L>,
         scratch: &mut Scratch<S, L>,
     ) -> L {
         let mut error = L::from_f64(0.0);
         let Scratch {
-            k,
             last,
             stage,
             per_allowed,
+            errors,
         } = scratch;
         k[0].as_mut().copy_from_slice(from.f.as_ref());
         last.as_mut().copy_from_slice(from.f.as_ref());
@@ -115,7 +119,7 @@ impl<S: LaneSystem, L: Lanes> OwnSteps<S, L> {
                         let allowed = state.allowed(self.relative, excursion, x[i], x_end[i]);
                         unit[i] = allowed.recip();
                     }
-                    error = estimate(rates, h, unit);
+                    error = estimate(rates, h, unit, errors.as_mut());
                     if !block.any_positive(-error + 1.0) {
                         return error;
                     }
@@ -285,11 +289,12 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for OwnSteps<S, L> {
         let left = block.least(self.most - self.tried);
         let mut here = block.here.clone();
         let mut end = here.clone();
+        let mut k: Rates<S, L> = std::array::from_fn(|_| here.x.clone());
         let mut scratch = Scratch::<S, L> {
-            k: std::array::from_fn(|_| here.x.clone()),
             last: here.x.clone(),
             stage: here.x.clone(),
             per_allowed: here.x.clone(),
+            errors: here.x.clone(),
         };
         for _ in 0..rounds.min(left as u64) {
             let (h, time) = self.next(here.t);
@@ -298,7 +303,7 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for OwnSteps<S, L> {
                 break;
             }
             end.t = time;
-            let error = self.step(block, h, &here, &mut end, &mut scratch);
+            let error = self.step(block, h, &here, &mut end, &mut k, &mut scratch);
             self.conclude(block, h, error, &mut here, &end, &scratch);
             self.left = self.to - here.t;
             if !block.all_positive(self.margin) || !block.all_positive(self.left) {
