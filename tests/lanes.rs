@@ -1,7 +1,9 @@
 //! Right-hand sides on lanes: every path, in any company and alone, computes what plain numbers do.
 
 use flexure_models::double_rocker::{Params, Prepared, rhs};
-use flexure_runtime::lanes::{LaneSystem, Lanes, Path, Task, on_path, on_path_alone};
+use flexure_runtime::lanes::{
+    LaneSystem, Lanes, Path, Task, on_path, on_path_alone, on_path_in_one_register,
+};
 use flexure_runtime::system::System;
 use proptest::prelude::*;
 
@@ -105,6 +107,7 @@ proptest! {
             let lanes = on_path(path, rates());
             prop_assert_eq!(&lanes, &on_path_alone(path, rates()), "{:?}", path);
             let alone = on_path_alone(path, Rates { alone: true, ..rates() });
+            prop_assert_eq!(&lanes, &on_path_in_one_register(path, rates()), "{:?}", path);
             // An acceleration is a difference of forces: errors are in proportion to the largest.
             for (ours, plain) in lanes.iter().chain(&alone).zip(plain.iter().chain(&plain)) {
                 for (i, scale) in [1.0, 1e7, 1.0, 1e5, 1.0, 1e4, 1.0].into_iter().enumerate() {

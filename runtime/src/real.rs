@@ -49,7 +49,7 @@ pub trait Real:
     fn atan(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
-    /// e to this power.
+    /// e to this power; zero where that is not a normal number any more.
     fn exp(self) -> Self;
     /// Natural logarithm.
     fn ln(self) -> Self;

@@ -172,8 +172,23 @@ impl<T: Real, const N: usize> Table<T, N> {
         if !inside.any_positive() {
             return closed_form;
         }
-        let near = self.polynomials(coordinate);
-        std::array::from_fn(|k| inside.if_positive(near[k], closed_form[k]))
+        let mut near = self.polynomials(coordinate);
+        for k in 0..N {
+            near[k] = inside.if_positive(near[k], closed_form[k]);
+        }
+        near
+    }
+
+    /// Positive in lanes where there is an interval to be in, or might have been, and a value of the
+    /// coordinate is outside.
+    #[inline(always)]
+    pub fn left_by(&self, coordinate: T) -> T {
+        let no = T::from_f64(-1.0);
+        if self.is_fitted {
+            self.inside(coordinate).if_positive(no, T::from_f64(1.0))
+        } else {
+            no
+        }
     }
 
     /// Positive where the coordinate is inside the interval.
@@ -203,24 +218,29 @@ impl<T: Real, const N: usize> Table<T, N> {
     fn up_to<const DEGREE: usize>(&self, s: T) -> [T; N] {
         let square = s * s;
         let fourth = square * square;
-        let group = |i: usize| -> [T; N] {
-            let c = &self.coefficients[i];
-            let low = |k: usize| c[1][k].times_plus(s, c[0][k]);
-            match DEGREE - GROUP * i {
-                0 => c[0],
-                1 => std::array::from_fn(low),
-                2 => std::array::from_fn(|k| c[2][k].times_plus(square, low(k))),
-                _ => std::array::from_fn(|k| {
-                    c[3][k].times_plus(s, c[2][k]).times_plus(square, low(k))
-                }),
-            }
-        };
         let last = DEGREE / GROUP;
-        let mut sums = group(last);
+        let mut sums = self.coefficients[last][0];
+        for k in 0..N {
+            sums[k] = self.group::<DEGREE>(last, k, s, square);
+        }
         for i in (0..last).rev() {
-            let next = group(i);
-            sums = std::array::from_fn(|k| sums[k].times_plus(fourth, next[k]));
+            for k in 0..N {
+                sums[k] = sums[k].times_plus(fourth, self.group::<DEGREE>(i, k, s, square));
+            }
         }
         sums
+    }
+
+    /// One group of powers of one function, without those above the degree.
+    #[inline(always)]
+    fn group<const DEGREE: usize>(&self, i: usize, k: usize, s: T, square: T) -> T {
+        let c = &self.coefficients[i];
+        let low = || c[1][k].times_plus(s, c[0][k]);
+        match DEGREE - GROUP * i {
+            0 => c[0][k],
+            1 => low(),
+            2 => c[2][k].times_plus(square, low()),
+            _ => c[3][k].times_plus(s, c[2][k]).times_plus(square, low()),
+        }
     }
 }

@@ -9,11 +9,7 @@
 //! A trajectory's numbers depend on its parameter set, the settings and the instructions that the
 //! lanes use, and on nothing else: not on threads, not on its lane, not on its neighbours.
 
-mod block;
-mod lockstep;
 mod outcome;
-mod own_steps;
-mod steps;
 mod worker;
 
 use std::marker::PhantomData;
