@@ -233,7 +233,6 @@ pub mod bridge_amplifier {
                 half_k: k * 0.5,
                 half_ks: ks * 0.5,
                 per_l_squared: l_squared.recip(),
-                ks_stroke: ks * stroke,
                 table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -317,8 +316,6 @@ pub mod bridge_amplifier {
         pub half_ks: T,
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
-        /// `ks * stroke`
-        pub ks_stroke: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 8>,
     }
@@ -359,7 +356,6 @@ pub mod bridge_amplifier {
                 half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
                 per_l_squared: turn(self.per_l_squared),
-                ks_stroke: turn(self.ks_stroke),
                 table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
@@ -407,7 +403,6 @@ pub mod bridge_amplifier {
                 half_k: join(self.half_k, other.half_k),
                 half_ks: join(self.half_ks, other.half_ks),
                 per_l_squared: join(self.per_l_squared, other.per_l_squared),
-                ks_stroke: join(self.ks_stroke, other.ks_stroke),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
@@ -537,14 +532,14 @@ pub mod bridge_amplifier {
             .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         let t2 = p.constant3 * t;
         let (t3, t4) = t2.sin_cos();
+        // drive `extension`
+        let extension = p.stroke * t3;
         // rate of the drive `extension`
         let d_extension_dt = p.constant4 * t4;
-        // force of `piezo` on its second end, without what is known last
-        let F_piezo_so_far = (p.ks * -e_piezo)
+        // force of `piezo` on its second end
+        let F_piezo = (p.ks * (extension - e_piezo))
             .plus_product(p.cs, d_extension_dt.minus_product(dL_piezo_dφ1, dφ1));
-        let ddφ1 = t1
-            .plus_product(ddφ1_per_F_piezo * p.ks_stroke, t3)
-            .plus_product(ddφ1_per_F_piezo, F_piezo_so_far);
+        let ddφ1 = t1.plus_product(ddφ1_per_F_piezo, F_piezo);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

@@ -281,8 +281,13 @@ pub mod lugre_mass {
     /// `per_g_v`, which depends on `dx_block` and params alone, in closed form.
     #[inline(always)]
     pub fn per_g_v_of_dx_block<T: Real>(dx_block: T, p: &Prepared<T>) -> T {
-        let t1 = p.F_S_minus_F_C * (-(p.per_v_s_squared * (dx_block * dx_block))).exp();
-        let g_v = p.per_sigma0 * (p.F_C + t1);
+        let t1 = p
+            .F_C
+            .plus_product(
+                p.F_S_minus_F_C,
+                (-(p.per_v_s_squared * (dx_block * dx_block))).exp(),
+            );
+        let g_v = p.per_sigma0 * t1;
         g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.

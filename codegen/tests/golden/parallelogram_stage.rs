@@ -240,8 +240,8 @@ pub mod parallelogram_stage {
         // slope of the potential energy of springs
         let dP_s_dφ = p.ddP_s_dφ_dφ * (φ - 1.5707963267948966);
         // ── state ──
-        let ddφ = (-(p.per_C0 * dP_s_dφ))
-            .minus_product(p.per_C0 * (p.l_push * φ.sin()), (p.constant1 * t).sin());
+        let t1 = dP_s_dφ.plus_product(p.l_push * φ.sin(), (p.constant1 * t).sin());
+        let ddφ = -(p.per_C0 * t1);
         dx[0] = dφ;
         dx[1] = ddφ;
     }

@@ -1051,8 +1051,10 @@ pub mod six_bar {
             .plus_product(ddφ1_per_dφ1, dφ1)
             .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         let ddφ1 = t1
-            .plus_product(per_A, -(p.c * dφ1))
-            .plus_product(per_A * p.torque, (p.constant4 * t).sin());
+            .plus_product(
+                per_A,
+                (p.torque * (p.constant4 * t).sin()).minus_product(p.c, dφ1),
+            );
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }

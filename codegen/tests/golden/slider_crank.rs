@@ -490,8 +490,10 @@ pub mod slider_crank {
             .plus_product(ddφ_per_dφ, dφ)
             .plus_product(ddφ_per_dφ_squared, dφ * dφ);
         let ddφ = t1
-            .plus_product(per_A, -(p.c * dφ))
-            .plus_product(per_A * p.torque, (p.constant1 * t).sin());
+            .plus_product(
+                per_A,
+                (p.torque * (p.constant1 * t).sin()).minus_product(p.c, dφ),
+            );
         dx[0] = dφ;
         dx[1] = ddφ;
     }

@@ -326,15 +326,14 @@ pub mod slider_crank_by_hand {
             + t2.power(half_plus_half_tanh_ω);
         let t7 = (t2 + half_plus_half_tanh_ω) * 0.5;
         let (t9, t8) = t7.sin_cos();
-        let t10 = p.per_J
-            * (t6 + t8 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0);
-        let t11 = t10
+        let t10 = (p.per_J
+            * (t6 + t8 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0))
             .plus_product(
                 p.per_J * (((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0),
                 t9,
             );
         dx[0] = ω;
-        dx[1] = t11;
+        dx[1] = t10;
     }
     /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
     #[inline(always)]
