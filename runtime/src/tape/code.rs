@@ -1,7 +1,7 @@
 //! Straight-line code over registers, and the loop that runs it.
 
 use super::operation::Operation;
-use crate::real::Real;
+use crate::real::{Real, Work};
 
 /// One step: `registers[destination] = operation(registers[a], registers[b], registers[c])`.
 ///
@@ -163,6 +163,23 @@ impl Tape {
         tables: &[Vec<f64>],
         out: &mut [T],
     ) {
+        T::out_of_line(Evaluation {
+            tape: self,
+            image,
+            arguments,
+            tables,
+            out,
+        });
+    }
+
+    #[inline(always)]
+    fn evaluate_here<T: Real>(
+        &self,
+        image: &[T],
+        arguments: Arguments<'_, T>,
+        tables: &[Vec<f64>],
+        out: &mut [T],
+    ) {
         let zero = T::from_f64(0.0);
         let count = self.registers as usize;
         if count <= FEW {
@@ -202,5 +219,25 @@ impl Tape {
         for (position, register) in &self.results {
             out[*position as usize] = registers[*register as usize];
         }
+    }
+}
+
+/// A function to be evaluated.
+struct Evaluation<'a, T> {
+    tape: &'a Tape,
+    image: &'a [T],
+    arguments: Arguments<'a, T>,
+    tables: &'a [Vec<f64>],
+    out: &'a mut [T],
+}
+
+impl<T: Real> Work for Evaluation<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let (image, arguments) = (self.image, self.arguments);
+        self.tape
+            .evaluate_here(image, arguments, self.tables, self.out);
     }
 }
