@@ -94,6 +94,23 @@ pub trait Real:
     fn all_positive(self) -> bool;
     /// Whether this is positive, in any lane.
     fn any_positive(self) -> bool;
+    /// Does `work` in a function of its own, compiled for the instructions that these numbers are
+    /// computed with.
+    #[inline(never)]
+    fn out_of_line<W: Work>(work: W) -> W::Output {
+        work.run()
+    }
+}
+
+/// Work on numbers that is so large that it is compiled once and called, rather than compiled into
+/// every place where it is needed.
+pub trait Work {
+    /// What comes of it.
+    type Output;
+
+    /// Does it. To be marked `#[inline(always)]`, with all that it calls often, so that it is
+    /// compiled for the instructions of whoever runs it.
+    fn run(self) -> Self::Output;
 }
 
 impl Real for f64 {

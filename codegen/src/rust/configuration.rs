@@ -19,6 +19,13 @@ pub(super) fn function_name(program: &Program, configuration: &Configuration) ->
     format!("functions_of_{}", identifier(coordinate))
 }
 
+/// Name of the function that has them where the table does not cover all lanes:
+/// `functions_outside_table_of_φ1`.
+fn outside_name(program: &Program, configuration: &Configuration) -> String {
+    let coordinate = program.coordinate_text(configuration);
+    format!("functions_outside_table_of_{}", identifier(coordinate))
+}
+
 /// Name of the field of `Prepared` that has the table: `table_of_φ1`.
 pub(super) fn table_field(program: &Program, configuration: &Configuration) -> String {
     let coordinate = program.coordinate_text(configuration);
@@ -55,11 +62,35 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
                 roots.iter().map(|root| body.number_tokens(*root)).collect();
             body.push(quote!([#(#results),*]));
             let body = in_blocks(body.finish());
+            let table = ident(&table_field(program, configuration));
+            let outside = ident(&outside_name(program, configuration));
+            let doc_outside = format!(
+                " [`{}`] where the table does not cover all lanes, in a function of its own.",
+                function_name(program, configuration)
+            );
             quote! {
                 #[doc = #doc]
                 #[inline(always)]
                 pub fn #name<T: Real>(#argument: T, d: &[T; #d], p: &Prepared<T>) -> [T; #count] {
                     #(#body)*
+                }
+                #[doc = #doc_outside]
+                #[inline(always)]
+                pub fn #outside<T: Real>(
+                    #argument: T,
+                    d: &[T; #d],
+                    p: &Prepared<T>,
+                ) -> [T; #count] {
+                    struct Outside<'p, T>(T, &'p [T; #d], &'p Prepared<T>);
+                    impl<T: Real> Work for Outside<'_, T> {
+                        type Output = [T; #count];
+                        #[inline(always)]
+                        fn run(self) -> [T; #count] {
+                            let Self(#argument, d, p) = self;
+                            p.#table.where_covered(#argument, #name(#argument, d, p))
+                        }
+                    }
+                    T::out_of_line(Outside(#argument, d, p))
                 }
             }
         })
@@ -108,12 +139,12 @@ pub(super) fn tabulated(writer: &Writer<'_>, body: &mut Body<'_, '_>, function: 
             }
         }
         let table = ident(&table_field(program, configuration));
-        let function = ident(&function_name(program, configuration));
+        let outside = ident(&outside_name(program, configuration));
         body.push(quote! {
             let [#(#names),*] = if p.#table.covers(#coordinate) {
                 p.#table.polynomials(#coordinate)
             } else {
-                p.#table.where_covered(#coordinate, #function(#coordinate, d, p))
+                #outside(#coordinate, d, p)
             };
         });
     }

@@ -105,7 +105,7 @@ fn module(
             use #runtime::generated::{array, array_mut};
             use #runtime::lanes::{LaneSystem, Lanes};
             use #runtime::newton;
-            use #runtime::real::Real;
+            use #runtime::real::{Real, Work};
             use #runtime::simulate::PlainSteps;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
             use #runtime::table::{Curve, CurveReport, Table, TableReport};

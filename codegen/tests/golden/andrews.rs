@@ -21,7 +21,7 @@ pub mod andrews {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -1325,6 +1325,24 @@ pub mod andrews {
             -(p.constant6 * t7),
         ]
     }
+    /// [`functions_of_β`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_β<T: Real>(
+        β: T,
+        d: &[T; 6],
+        p: &Prepared<T>,
+    ) -> [T; 11] {
+        struct Outside<'p, T>(T, &'p [T; 6], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 11];
+            #[inline(always)]
+            fn run(self) -> [T; 11] {
+                let Self(β, d, p) = self;
+                p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+            }
+        }
+        T::out_of_line(Outside(β, d, p))
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -1340,7 +1358,7 @@ pub mod andrews {
         let [ddβ_of_β, ddβ_per_dβ_squared, ..] = if p.table_of_β.covers(β) {
             p.table_of_β.polynomials(β)
         } else {
-            p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+            functions_outside_table_of_β(β, d, p)
         };
         // ── state ──
         let ddβ = ddβ_of_β.plus_product(ddβ_per_dβ_squared, dβ * dβ);
@@ -1987,7 +2005,7 @@ pub mod andrews {
         let [.., t1, t2, t3] = if p.table_of_β.covers(β) {
             p.table_of_β.polynomials(β)
         } else {
-            p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+            functions_outside_table_of_β(β, d, p)
         };
         result[0] = t1;
         result[1] = t2;
@@ -2008,7 +2026,7 @@ pub mod andrews {
         φ6_minus_φ6_0, φ7_minus_φ7_0, _, _, _] = if p.table_of_β.covers(β) {
             p.table_of_β.polynomials(β)
         } else {
-            p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+            functions_outside_table_of_β(β, d, p)
         };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;

@@ -18,7 +18,7 @@ pub mod bridge_amplifier {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -508,6 +508,24 @@ pub mod bridge_amplifier {
             p.per_l_squared * t1,
         ]
     }
+    /// [`functions_of_φ1`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ1<T: Real>(
+        φ1: T,
+        d: &[T; 1],
+        p: &Prepared<T>,
+    ) -> [T; 8] {
+        struct Outside<'p, T>(T, &'p [T; 1], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 8];
+            #[inline(always)]
+            fn run(self) -> [T; 8] {
+                let Self(φ1, d, p) = self;
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ1, d, p))
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -524,7 +542,7 @@ pub mod bridge_amplifier {
         ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         // ── state ──
         let t1 = (-per_A_dP_s_dφ1)
@@ -853,7 +871,7 @@ pub mod bridge_amplifier {
         let [.., t1] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = t1;
     }
@@ -871,7 +889,7 @@ pub mod bridge_amplifier {
         let [.., φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = φ3_minus_φ3_0;
     }

@@ -27,7 +27,7 @@ pub mod double_rocker {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -986,6 +986,24 @@ pub mod double_rocker {
             -(p.constant7 * t2),
         ]
     }
+    /// [`functions_of_φ1`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ1<T: Real>(
+        φ1: T,
+        d: &[T; 4],
+        p: &Prepared<T>,
+    ) -> [T; 9] {
+        struct Outside<'p, T>(T, &'p [T; 4], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 9];
+            #[inline(always)]
+            fn run(self) -> [T; 9] {
+                let Self(φ1, d, p) = self;
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ1, d, p))
+    }
     /// `per_g_v`, which depends on `v` and params alone, in closed form.
     #[inline(always)]
     pub fn per_g_v_of_v<T: Real>(v: T, p: &Prepared<T>) -> T {
@@ -1017,7 +1035,7 @@ pub mod double_rocker {
         ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         // ── configuration ──
         // force of `joint` on its second end
@@ -1476,7 +1494,7 @@ pub mod double_rocker {
         let [.., t1] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = t1;
     }
@@ -1494,7 +1512,7 @@ pub mod double_rocker {
         let [.., φ2_minus_φ2_0, φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;

@@ -21,7 +21,7 @@ pub mod four_bar {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -558,6 +558,24 @@ pub mod four_bar {
             -(p.constant2 * t1),
         ]
     }
+    /// [`functions_of_φ1`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ1<T: Real>(
+        φ1: T,
+        d: &[T; 2],
+        p: &Prepared<T>,
+    ) -> [T; 5] {
+        struct Outside<'p, T>(T, &'p [T; 2], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 5];
+            #[inline(always)]
+            fn run(self) -> [T; 5] {
+                let Self(φ1, d, p) = self;
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ1, d, p))
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -573,7 +591,7 @@ pub mod four_bar {
         let [per_A_dP_dφ1, ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         // ── state ──
         let ddφ1 = (-per_A_dP_dφ1).plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
@@ -870,7 +888,7 @@ pub mod four_bar {
         let [.., t1] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = t1;
     }
@@ -888,7 +906,7 @@ pub mod four_bar {
         let [.., φ2_minus_φ2_0, φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;

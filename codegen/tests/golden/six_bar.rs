@@ -18,7 +18,7 @@ pub mod six_bar {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -1026,6 +1026,24 @@ pub mod six_bar {
             -(p.constant6 * t5),
         ]
     }
+    /// [`functions_of_φ1`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ1<T: Real>(
+        φ1: T,
+        d: &[T; 4],
+        p: &Prepared<T>,
+    ) -> [T; 10] {
+        struct Outside<'p, T>(T, &'p [T; 4], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 10];
+            #[inline(always)]
+            fn run(self) -> [T; 10] {
+                let Self(φ1, d, p) = self;
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ1, d, p))
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -1044,7 +1062,7 @@ pub mod six_bar {
         {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         // ── state ──
         let t1 = (-per_A_dP_dφ1)
@@ -1579,7 +1597,7 @@ pub mod six_bar {
         let [.., t1, t2] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = t1;
         result[1] = t2;
@@ -1599,7 +1617,7 @@ pub mod six_bar {
         ] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;

@@ -17,7 +17,7 @@ pub mod slider_crank {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -465,6 +465,24 @@ pub mod slider_crank {
             p.per_l_squared * t1,
         ]
     }
+    /// [`functions_of_φ`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ<T: Real>(
+        φ: T,
+        d: &[T; 1],
+        p: &Prepared<T>,
+    ) -> [T; 6] {
+        struct Outside<'p, T>(T, &'p [T; 1], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 6];
+            #[inline(always)]
+            fn run(self) -> [T; 6] {
+                let Self(φ, d, p) = self;
+                p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ, d, p))
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -483,7 +501,7 @@ pub mod slider_crank {
         {
             p.table_of_φ.polynomials(φ)
         } else {
-            p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+            functions_outside_table_of_φ(φ, d, p)
         };
         // ── state ──
         let t1 = (-per_A_dP_dφ)
@@ -712,7 +730,7 @@ pub mod slider_crank {
         let [.., t1] = if p.table_of_φ.covers(φ) {
             p.table_of_φ.polynomials(φ)
         } else {
-            p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+            functions_outside_table_of_φ(φ, d, p)
         };
         result[0] = t1;
     }
@@ -730,7 +748,7 @@ pub mod slider_crank {
         let [.., ψ_minus_ψ_0, _] = if p.table_of_φ.covers(φ) {
             p.table_of_φ.polynomials(φ)
         } else {
-            p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+            functions_outside_table_of_φ(φ, d, p)
         };
         result[0] = ψ_minus_ψ_0;
     }

@@ -17,7 +17,7 @@ pub mod slider_crank_by_hand {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -285,6 +285,24 @@ pub mod slider_crank_by_hand {
         let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
         [t8 + t4.floor(), φ2, t2]
     }
+    /// [`functions_of_φ1`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ1<T: Real>(
+        φ1: T,
+        d: &[T; 3],
+        p: &Prepared<T>,
+    ) -> [T; 3] {
+        struct Outside<'p, T>(T, &'p [T; 3], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 3];
+            #[inline(always)]
+            fn run(self) -> [T; 3] {
+                let Self(φ1, d, p) = self;
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ1, d, p))
+    }
     /// `half_plus_half_tanh_ω`, which depends on `ω` and params alone, in closed form.
     #[inline(always)]
     pub fn half_plus_half_tanh_ω_of_ω<T: Real>(ω: T, p: &Prepared<T>) -> T {
@@ -308,7 +326,7 @@ pub mod slider_crank_by_hand {
         let [t1, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         // ── configuration ──
         let t2 = φ1 * 0.25 + 0.5;
@@ -489,7 +507,7 @@ pub mod slider_crank_by_hand {
         let [.., t1] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[0] = t1;
     }
@@ -507,7 +525,7 @@ pub mod slider_crank_by_hand {
         let [.., φ2, _] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         result[2] = φ2;
     }

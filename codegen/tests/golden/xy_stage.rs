@@ -20,7 +20,7 @@ pub mod xy_stage {
     use ::flexure_runtime::generated::{array, array_mut};
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
-    use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::real::{Real, Work};
     use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
@@ -382,6 +382,24 @@ pub mod xy_stage {
         let y_T = p.l * (t3 * ((φ1 - 1.5707963267948966) * 0.5).sin() * 2.0);
         [cos_φ1, sin_φ1, x_F1, y_T]
     }
+    /// [`functions_of_φ1`] where the table does not cover all lanes, in a function of its own.
+    #[inline(always)]
+    pub fn functions_outside_table_of_φ1<T: Real>(
+        φ1: T,
+        d: &[T; 0],
+        p: &Prepared<T>,
+    ) -> [T; 4] {
+        struct Outside<'p, T>(T, &'p [T; 0], &'p Prepared<T>);
+        impl<T: Real> Work for Outside<'_, T> {
+            type Output = [T; 4];
+            #[inline(always)]
+            fn run(self) -> [T; 4] {
+                let Self(φ1, d, p) = self;
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            }
+        }
+        T::out_of_line(Outside(φ1, d, p))
+    }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
     pub fn rhs<T: Real>(
@@ -399,7 +417,7 @@ pub mod xy_stage {
         let [cos_φ1, sin_φ1, x_F1, y_T] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
-            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+            functions_outside_table_of_φ1(φ1, d, p)
         };
         // ── configuration ──
         let (sin_φ2, cos_φ2) = φ2.sin_cos();

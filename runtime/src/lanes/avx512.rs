@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::kernels::{ROOT_OF_HALF, Vector};
 use super::{Lanes, real_by_kernels};
-use crate::real::Real;
+use crate::real::{Real, Work};
 
 /// eight numbers.
 #[derive(Clone, Copy, Debug)]
@@ -139,6 +139,15 @@ impl Real for F64x8 {
     #[inline(always)]
     fn lookup(self, table: &[f64]) -> Self {
         Self::from_entries(|i| self.entry(i).lookup(table))
+    }
+    #[inline(always)]
+    fn out_of_line<W: Work>(work: W) -> W::Output {
+        #[inline(never)]
+        #[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+        fn compiled<W: Work>(work: W) -> W::Output {
+            work.run()
+        }
+        here!(compiled(work))
     }
     real_by_kernels!();
 }

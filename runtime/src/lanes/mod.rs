@@ -46,6 +46,7 @@ pub(crate) mod kernels;
 #[cfg(target_arch = "x86_64")]
 mod pair;
 mod portable;
+#[allow(unsafe_code)]
 mod scalar;
 mod system;
 

@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::kernels::Vector;
 use super::{Lanes, real_by_kernels};
-use crate::real::Real;
+use crate::real::{Real, Work};
 
 /// The entries of one number, then those of another.
 #[derive(Clone, Copy, Debug)]
@@ -118,6 +118,10 @@ impl<V: Vector> Real for Pair<V> {
     #[inline(always)]
     fn lookup(self, table: &[f64]) -> Self {
         Self(self.0.lookup(table), self.1.lookup(table))
+    }
+    #[inline(always)]
+    fn out_of_line<W: Work>(work: W) -> W::Output {
+        V::out_of_line(work)
     }
     real_by_kernels!();
 }

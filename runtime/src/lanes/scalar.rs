@@ -1,10 +1,16 @@
 //! One number as lanes: plain, and with products fused with the sums that follow.
+//!
+//! # Safety
+//!
+//! The `unsafe` here calls a function compiled for AVX2 with FMA, and is sound because [`Fused`] is
+//! private to [`lanes`](super), where only [`dispatch`](super::dispatch) names it, as the argument
+//! of a task that it has found the machine fit for.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::kernels::{ROOT_OF_HALF, Vector};
 use super::{Lanes, real_by_kernels};
-use crate::real::Real;
+use crate::real::{Real, Work};
 
 const SIGN: u64 = 1 << 63;
 
@@ -101,8 +107,6 @@ impl Lanes for f64 {
 }
 
 /// One number whose kernels fuse a product with the sum that follows, as those of vectors do.
-///
-/// Right on any machine, and fast where there is an instruction for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fused(f64);
 
@@ -203,6 +207,17 @@ impl Real for Fused {
     #[inline(always)]
     fn lookup(self, table: &[f64]) -> Self {
         Self(self.0.lookup(table))
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn out_of_line<W: Work>(work: W) -> W::Output {
+        #[inline(never)]
+        #[target_feature(enable = "avx2,fma")]
+        fn compiled<W: Work>(work: W) -> W::Output {
+            work.run()
+        }
+        // SAFETY: this machine has the instructions, as the head of this file says.
+        unsafe { compiled(work) }
     }
     real_by_kernels!();
 }

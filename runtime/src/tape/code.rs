@@ -1,7 +1,7 @@
 //! Straight-line code over registers, and the loop that runs it.
 
 use super::operation::{Operands, Operation};
-use crate::real::Real;
+use crate::real::{Real, Work};
 
 /// One step: `registers[destination] = operation(registers[a], registers[b], registers[c])`.
 ///
@@ -182,6 +182,23 @@ impl Tape {
         tables: &[Vec<f64>],
         out: &mut [T],
     ) {
+        T::out_of_line(Evaluation {
+            tape: self,
+            image,
+            arguments,
+            tables,
+            out,
+        });
+    }
+
+    #[inline(always)]
+    fn evaluate_here<T: Real>(
+        &self,
+        image: &[T],
+        arguments: Arguments<'_, T>,
+        tables: &[Vec<f64>],
+        out: &mut [T],
+    ) {
         if image.len() <= FEW {
             let mut registers = [T::from_f64(0.0); FEW];
             registers[..image.len()].copy_from_slice(image);
@@ -214,8 +231,12 @@ impl Tape {
         arguments: Arguments<'_, T>,
         tables: &[Vec<f64>],
     ) {
-        self.fill(registers, arguments);
-        run_in(&self.code, registers, tables);
+        T::out_of_line(Update {
+            tape: self,
+            registers,
+            arguments,
+            tables,
+        });
     }
 
     #[inline(always)]
@@ -238,5 +259,43 @@ impl Tape {
         for (position, register) in &self.results {
             out[*position as usize] = registers[*register as usize];
         }
+    }
+}
+
+/// A function to be evaluated.
+struct Evaluation<'a, T> {
+    tape: &'a Tape,
+    image: &'a [T],
+    arguments: Arguments<'a, T>,
+    tables: &'a [Vec<f64>],
+    out: &'a mut [T],
+}
+
+impl<T: Real> Work for Evaluation<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let (image, arguments) = (self.image, self.arguments);
+        self.tape
+            .evaluate_here(image, arguments, self.tables, self.out);
+    }
+}
+
+/// Registers to be brought up to date.
+struct Update<'a, T> {
+    tape: &'a Tape,
+    registers: &'a mut [T],
+    arguments: Arguments<'a, T>,
+    tables: &'a [Vec<f64>],
+}
+
+impl<T: Real> Work for Update<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.tape.fill(self.registers, self.arguments);
+        run_in(&self.tape.code, self.registers, self.tables);
     }
 }
