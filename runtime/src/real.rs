@@ -95,7 +95,8 @@ pub trait Real:
     /// Whether this is positive, in any lane.
     fn any_positive(self) -> bool;
     /// Does `work` in a function of its own, compiled for the instructions that these numbers are
-    /// computed with.
+    /// computed with. Where it is called on one of two ways, the other way is the usual one.
+    #[cold]
     #[inline(never)]
     fn out_of_line<W: Work>(work: W) -> W::Output {
         work.run()

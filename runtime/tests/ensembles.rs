@@ -7,7 +7,8 @@ use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::lanes::{LaneSystem, Lanes, Portable};
 use flexure_runtime::real::Real;
 use flexure_runtime::simulate::{
-    BreakdownKind, Ending, Ensemble, PlainSteps, Trajectory, TrajectoryFailure, ensemble, simulate,
+    BreakdownKind, Ending, Ensemble, PlainSteps, Run, Trajectory, TrajectoryFailure, ensemble,
+    simulate,
 };
 use flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
 
@@ -225,11 +226,52 @@ fn assert_same(a: &[Outcome], b: &[Outcome]) {
     }
 }
 
+/// A run alone with rows at multiples of an interval, or at every step, as far as it goes.
+fn alone(ball: &Ball<f64>, accuracy: Result<f64, f64>, every: Option<f64>) -> Run {
+    let run = simulate(ball).until(1.6);
+    let run = match accuracy {
+        Ok(step) => run.dt(step),
+        Err(tolerance) => run.rtol(tolerance),
+    };
+    let run = match every {
+        Some(interval) => run.every(interval),
+        None => run,
+    };
+    run.run().unwrap_or_else(|failure| *failure.run)
+}
+
+#[test]
+fn rows_have_no_influence_on_steps_in_lanes() {
+    for ball in &balls(5) {
+        let exact = alone(ball, Err(1e-13), Some(1e-4));
+        for accuracy in [Ok(1e-3), Ok(0.7e-4), Err(1e-6), Err(1e-9)] {
+            let runs = [None, Some(1e-4), Some(0.0137), Some(2.0)]
+                .map(|every| alone(ball, accuracy, every));
+            for run in &runs {
+                let [mut ours, mut others] = [run, &runs[0]].map(|run| run.summary().clone());
+                // Dense output costs evaluations.
+                (ours.statistics.evaluations, others.statistics.evaluations) = (0, 0);
+                assert_eq!(ours, others);
+                assert!(run.times().is_sorted());
+            }
+            assert!(runs[0].len() as u64 > runs[0].statistics().accepted);
+            let dense = &runs[1];
+            assert!(dense.len() > 900, "{}", dense.len());
+            let rows = dense.times().iter().zip(dense.column("height").values());
+            let exact = exact.times().iter().zip(exact.column("height").values());
+            for ((time, height), (same, expected)) in rows.zip(exact).take(900) {
+                assert_eq!(time, same);
+                assert!((height - expected).abs() < 1e-5, "{accuracy:?} {time}");
+            }
+        }
+    }
+}
+
 #[test]
 fn trajectories_are_those_of_simulate() {
     let balls = balls(13);
     for is_fixed in [true, false] {
-        let outcomes = on::<Portable<4>>(runs(&balls, is_fixed));
+        let outcomes = runs(&balls, is_fixed).collect();
         let (mut bounces, mut dead, mut lying) = (0, 0, 0);
         for (index, (ball, outcome)) in balls.iter().zip(&outcomes).enumerate() {
             let run = simulate(ball).until(1.5 + 0.1 * (index % 5) as f64);

@@ -81,16 +81,17 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
                     d: &[T; #d],
                     p: &Prepared<T>,
                 ) -> [T; #count] {
-                    struct Outside<'p, T>(T, &'p [T; #d], &'p Prepared<T>);
+                    struct Outside<'p, T>(T, [T; #d], &'p Prepared<T>);
                     impl<T: Real> Work for Outside<'_, T> {
                         type Output = [T; #count];
                         #[inline(always)]
                         fn run(self) -> [T; #count] {
                             let Self(#argument, d, p) = self;
-                            p.#table.where_covered(#argument, #name(#argument, d, p))
+                            p.#table.where_covered(#argument, #name(#argument, &d, p))
                         }
                     }
-                    T::out_of_line(Outside(#argument, d, p))
+                    // The discrete state by value: whoever calls may keep it in registers.
+                    T::out_of_line(Outside(#argument, *d, p))
                 }
             }
         })

@@ -1332,16 +1332,16 @@ pub mod andrews {
         d: &[T; 6],
         p: &Prepared<T>,
     ) -> [T; 11] {
-        struct Outside<'p, T>(T, &'p [T; 6], &'p Prepared<T>);
+        struct Outside<'p, T>(T, [T; 6], &'p Prepared<T>);
         impl<T: Real> Work for Outside<'_, T> {
             type Output = [T; 11];
             #[inline(always)]
             fn run(self) -> [T; 11] {
                 let Self(β, d, p) = self;
-                p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+                p.table_of_β.where_covered(β, functions_of_β(β, &d, p))
             }
         }
-        T::out_of_line(Outside(β, d, p))
+        T::out_of_line(Outside(β, *d, p))
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

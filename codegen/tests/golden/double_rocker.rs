@@ -993,16 +993,16 @@ pub mod double_rocker {
         d: &[T; 4],
         p: &Prepared<T>,
     ) -> [T; 9] {
-        struct Outside<'p, T>(T, &'p [T; 4], &'p Prepared<T>);
+        struct Outside<'p, T>(T, [T; 4], &'p Prepared<T>);
         impl<T: Real> Work for Outside<'_, T> {
             type Output = [T; 9];
             #[inline(always)]
             fn run(self) -> [T; 9] {
                 let Self(φ1, d, p) = self;
-                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, d, p))
+        T::out_of_line(Outside(φ1, *d, p))
     }
     /// `per_g_v`, which depends on `v` and params alone, in closed form.
     #[inline(always)]

@@ -565,16 +565,16 @@ pub mod four_bar {
         d: &[T; 2],
         p: &Prepared<T>,
     ) -> [T; 5] {
-        struct Outside<'p, T>(T, &'p [T; 2], &'p Prepared<T>);
+        struct Outside<'p, T>(T, [T; 2], &'p Prepared<T>);
         impl<T: Real> Work for Outside<'_, T> {
             type Output = [T; 5];
             #[inline(always)]
             fn run(self) -> [T; 5] {
                 let Self(φ1, d, p) = self;
-                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, d, p))
+        T::out_of_line(Outside(φ1, *d, p))
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

@@ -472,16 +472,16 @@ pub mod slider_crank {
         d: &[T; 1],
         p: &Prepared<T>,
     ) -> [T; 6] {
-        struct Outside<'p, T>(T, &'p [T; 1], &'p Prepared<T>);
+        struct Outside<'p, T>(T, [T; 1], &'p Prepared<T>);
         impl<T: Real> Work for Outside<'_, T> {
             type Output = [T; 6];
             #[inline(always)]
             fn run(self) -> [T; 6] {
                 let Self(φ, d, p) = self;
-                p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+                p.table_of_φ.where_covered(φ, functions_of_φ(φ, &d, p))
             }
         }
-        T::out_of_line(Outside(φ, d, p))
+        T::out_of_line(Outside(φ, *d, p))
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

@@ -292,16 +292,16 @@ pub mod slider_crank_by_hand {
         d: &[T; 3],
         p: &Prepared<T>,
     ) -> [T; 3] {
-        struct Outside<'p, T>(T, &'p [T; 3], &'p Prepared<T>);
+        struct Outside<'p, T>(T, [T; 3], &'p Prepared<T>);
         impl<T: Real> Work for Outside<'_, T> {
             type Output = [T; 3];
             #[inline(always)]
             fn run(self) -> [T; 3] {
                 let Self(φ1, d, p) = self;
-                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, d, p))
+        T::out_of_line(Outside(φ1, *d, p))
     }
     /// `half_plus_half_tanh_ω`, which depends on `ω` and params alone, in closed form.
     #[inline(always)]

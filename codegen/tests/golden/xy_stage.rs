@@ -389,16 +389,16 @@ pub mod xy_stage {
         d: &[T; 0],
         p: &Prepared<T>,
     ) -> [T; 4] {
-        struct Outside<'p, T>(T, &'p [T; 0], &'p Prepared<T>);
+        struct Outside<'p, T>(T, [T; 0], &'p Prepared<T>);
         impl<T: Real> Work for Outside<'_, T> {
             type Output = [T; 4];
             #[inline(always)]
             fn run(self) -> [T; 4] {
                 let Self(φ1, d, p) = self;
-                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+                p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, d, p))
+        T::out_of_line(Outside(φ1, *d, p))
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

@@ -142,6 +142,7 @@ impl Real for F64x8 {
     }
     #[inline(always)]
     fn out_of_line<W: Work>(work: W) -> W::Output {
+        #[cold]
         #[inline(never)]
         #[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
         fn compiled<W: Work>(work: W) -> W::Output {

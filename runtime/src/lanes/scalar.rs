@@ -211,6 +211,7 @@ impl Real for Fused {
     #[cfg(target_arch = "x86_64")]
     #[inline(always)]
     fn out_of_line<W: Work>(work: W) -> W::Output {
+        #[cold]
         #[inline(never)]
         #[target_feature(enable = "avx2,fma")]
         fn compiled<W: Work>(work: W) -> W::Output {

@@ -231,6 +231,7 @@ impl Method for Automatic {
     fn plain(&mut self) -> Option<Plain<'_>> {
         (!self.is_stiff).then_some(Plain {
             watch: Some(&mut self.watch),
+            stages: &mut self.explicit.k,
         })
     }
 

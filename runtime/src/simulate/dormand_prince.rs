@@ -12,7 +12,7 @@ use crate::system::System;
 
 pub(super) struct DormandPrince {
     /// Rates at the stages; the thirteenth is that at the end of the step.
-    k: [Vec<f64>; 16],
+    pub k: [Vec<f64>; 16],
     /// State at a stage.
     stage: Vec<f64>,
     /// State at stage 12.
@@ -153,7 +153,10 @@ impl Method for DormandPrince {
     }
 
     fn plain(&mut self) -> Option<Plain<'_>> {
-        Some(Plain { watch: None })
+        Some(Plain {
+            watch: None,
+            stages: &mut self.k,
+        })
     }
 
     #[inline]

@@ -28,6 +28,8 @@ pub(super) struct Step<'a> {
 pub(super) struct Plain<'m> {
     /// To be kept, if there is one.
     pub watch: Option<&'m mut Watch<f64>>,
+    /// Where dense output looks for rates at the stages.
+    pub stages: &'m mut [Vec<f64>],
 }
 
 /// A one-step method.

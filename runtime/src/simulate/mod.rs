@@ -22,11 +22,10 @@
 //!
 //! Most steps ask for nothing but the right-hand side and a look at what they came to. A system that
 //! runs on lanes takes these by code that is compiled for the instructions at hand, alone as in an
-//! [`ensemble`]; all others (the start, kinks, events, dead points, failures, steps with a row inside)
-//! are the walk's own.
+//! [`ensemble`]; all others (the start, kinks, events, dead points, failures, runs that account for
+//! energy) are the walk's own. The walk's own steps are rounded differently from those on lanes.
 //!
-//! Results depend on nothing but the system and these settings, to rounding; on lanes the walk's own
-//! steps are rounded differently from plain ones, and rows decide which are its own.
+//! Results depend on nothing but the system and these settings: not on which rows are recorded.
 //!
 //! # Why these methods
 //!

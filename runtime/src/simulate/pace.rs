@@ -101,6 +101,28 @@ impl Pace {
     }
 }
 
+impl Stretch {
+    /// Where so many steps end.
+    fn end(&self, steps: f64) -> f64 {
+        if steps < self.steps {
+            self.from + steps * self.h
+        } else {
+            self.to
+        }
+    }
+
+    /// Number of steps with the first one yet to be tried that reaches `time`.
+    pub fn steps_to(&self, time: f64) -> f64 {
+        let mut steps = ((time - self.from) / self.h).ceil();
+        if self.end(steps - 1.0) >= time {
+            steps -= 1.0;
+        } else if self.end(steps) < time {
+            steps += 1.0;
+        }
+        steps.max(self.taken + 1.0)
+    }
+}
+
 impl Equal {
     /// The way from `t` to the break `to`, or what is left of it.
     pub fn stretch(&mut self, t: f64, to: f64) -> &mut Stretch {
@@ -120,11 +142,9 @@ impl Equal {
     fn next(&mut self, t: f64, to: f64) -> Trial {
         let stretch = self.stretch(t, to);
         stretch.taken += 1.0;
-        let end = if stretch.taken < stretch.steps {
-            stretch.from + stretch.taken * stretch.h
-        } else {
-            stretch.to
-        };
-        Trial { h: stretch.h, end }
+        Trial {
+            h: stretch.h,
+            end: stretch.end(stretch.taken),
+        }
     }
 }

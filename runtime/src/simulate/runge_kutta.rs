@@ -36,7 +36,10 @@ impl Method for RungeKutta {
     }
 
     fn plain(&mut self) -> Option<Plain<'_>> {
-        Some(Plain { watch: None })
+        Some(Plain {
+            watch: None,
+            stages: &mut [],
+        })
     }
 
     #[inline]

@@ -14,7 +14,7 @@ use super::crossing::{Crossings, Found};
 use super::dead_point::Approach;
 use super::method::{Method, Step};
 use super::pace::{Pace, Trial};
-use super::plain::{PlainSteps, Verdict, Way};
+use super::plain::{Last, PlainSteps, Start, Verdict, Way};
 use super::rows::{Recording, Rows};
 use super::run::{Ending, EventRecord, Statistics, Summary};
 use super::stand::Stand;
@@ -52,6 +52,8 @@ pub(super) struct Walk<'a, S: System + ?Sized, M> {
     reported: u64,
     /// What the system keeps for its plain steps.
     in_lanes: Option<Box<dyn Any>>,
+    /// Where the last one of them began, if a row is inside.
+    start: Start,
     summary: Summary,
 }
 
@@ -112,6 +114,13 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             kinks: vec![f64::INFINITY; system.kink_count()],
             reported: 0,
             in_lanes: None,
+            start: Start {
+                t: 0.0,
+                h: 0.0,
+                x: vec![0.0; width],
+                d: d.clone(),
+                f: vec![0.0; width],
+            },
             summary: Summary::default(),
             stand: Stand {
                 t: 0.0,
@@ -172,7 +181,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
     fn go(&mut self) -> Result<(), Halt> {
         self.begin()?;
         while !self.is_over() {
-            if self.go_plainly()? != Some(Verdict::Arrived) && !self.is_over() {
+            let verdict = self.go_plainly()?;
+            if verdict.is_none_or(|verdict| verdict == Verdict::Special) && !self.is_over() {
                 self.round()?;
             }
         }
@@ -213,15 +223,11 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
     /// Takes the plain steps that lie ahead, if there are any and the system has a way of its own
     /// to take them; where they led.
     fn go_plainly(&mut self) -> Result<Option<Verdict>, Halt> {
-        let row = self.rows.due();
-        let is_near = match &self.stand.pace {
-            Pace::Adaptive(control) => row <= self.stand.t + control.wanted,
-            Pace::Fixed(_) => row <= self.stand.t,
-        };
-        if is_near || self.flow.accounts() || !self.is_quiet() {
+        if self.flow.accounts() || !self.is_quiet() {
             return Ok(None);
         }
-        let to = self.next_break();
+        let (to, row) = (self.next_break(), self.rows.due());
+        let accepted = self.stand.statistics.accepted;
         let Some(plain) = self.method.plain() else {
             return Ok(None);
         };
@@ -232,6 +238,10 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             way: Way {
                 to,
                 row,
+                last: Some(Last {
+                    start: &mut self.start,
+                    stages: plain.stages,
+                }),
                 watch: plain.watch,
             },
             verdict: None,
@@ -240,12 +250,37 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         let verdict = steps.verdict;
         if verdict.is_some() {
             self.report()?;
+            if self.stand.t >= row && self.stand.statistics.accepted > accepted {
+                self.record_last()?;
+            }
             self.resume();
             if verdict == Some(Verdict::Arrived) {
                 self.arrive(false)?;
             }
         }
         Ok(verdict)
+    }
+
+    /// Records the rows inside the last plain step and at its end.
+    fn record_last(&mut self) -> Result<(), Halt> {
+        let step = Step {
+            t: self.start.t,
+            h: self.start.h,
+            x: &self.start.x,
+            f: &self.start.f,
+            d: &self.start.d,
+            x_end: &self.stand.x,
+            f_end: &self.stand.f,
+        };
+        let end = self.stand.t;
+        recorded(
+            self.rows
+                .inside(&mut self.flow, &mut self.method, &step, end),
+        )?;
+        recorded(
+            self.rows
+                .step_end(&self.flow, end, &self.stand.x, &self.stand.d),
+        )
     }
 
     /// Says how far the run is, if it has gone far enough.

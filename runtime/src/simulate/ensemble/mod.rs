@@ -33,8 +33,7 @@ const STACK: usize = 64 << 20;
 ///
 /// Each run is the one that [`simulate`](super::simulate()) gives: kinks of drives and samples at
 /// the end of a step, events located, the same choice of steps. The two agree to rounding: a run
-/// alone may have curves that lanes do not, and takes more of its steps by itself where rows are
-/// recorded.
+/// alone may have curves that lanes do not.
 ///
 /// All systems must be of one model: lanes lay their parameter sets side by side.
 ///

@@ -1,6 +1,7 @@
 //! Trajectories side by side: where each lane stands, where its step ends, and whether that step
 //! is one of the plain ones that lanes may take together.
 
+use super::steps::Start;
 use crate::lanes::{LaneSystem, Lanes, Row};
 use crate::simulate::crossing::Parabola;
 use crate::simulate::dead_point::NEAR;
@@ -15,6 +16,8 @@ pub(in crate::simulate) struct Block<S: LaneSystem, L: Lanes> {
     pub u: Vec<L>,
     /// Where each lane stands.
     pub here: Point<S, L>,
+    /// Where the last step began, if a row is passed by it.
+    pub before: Point<S, L>,
     /// Positive in lanes that are under way.
     active: L,
     /// Steps that ended outside of tables since a lane was taken up.
@@ -77,15 +80,17 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         for &index in system.turning() {
             room.as_mut()[index] = L::from_f64(QUARTER_TURN);
         }
+        let here = Point {
+            t: zero,
+            x: states.clone(),
+            d: Row::filled(zero, m),
+            f: states.clone(),
+        };
         Self {
             system: in_lanes,
             u: u.iter().map(|value| L::from_f64(*value)).collect(),
-            here: Point {
-                t: zero,
-                x: states.clone(),
-                d: Row::filled(zero, m),
-                f: states.clone(),
-            },
+            before: here.clone(),
+            here,
             active: L::from_f64(-1.0),
             outside_tables: zero,
             room,
@@ -132,15 +137,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         stand.statistics.accepted += accepted;
         stand.statistics.outside_tables += self.outside_tables.entry(lane) as u64;
         stand.t = self.here.t.entry(lane);
-        for (values, lanes) in [
-            (&mut stand.x, self.here.x.as_ref()),
-            (&mut stand.d, self.here.d.as_ref()),
-            (&mut stand.f, self.here.f.as_ref()),
-        ] {
-            for (value, number) in values.iter_mut().zip(lanes) {
-                *value = number.entry(lane);
-            }
-        }
+        let Stand { x, d, f, .. } = stand;
+        self.here.put_down(lane, x, d, f);
         let loops = &self.loops;
         stand
             .approach
@@ -150,6 +148,14 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
                     loops.here.as_ref()[index].entry(lane),
                 )
             });
+    }
+
+    /// Writes down where the last step of a lane began, of length `h`.
+    pub fn write_down(&self, lane: usize, h: f64, start: &mut Start) {
+        let Start { x, d, f, .. } = start;
+        self.before.put_down(lane, x, d, f);
+        start.t = self.before.t.entry(lane);
+        start.h = h;
     }
 
     /// Whether lanes that are under way all have a positive number here.
@@ -330,6 +336,12 @@ impl<S: LaneSystem, L: Lanes> Point<S, L> {
         self.f.as_mut().copy_from_slice(other.f.as_ref());
     }
 
+    fn put_down(&self, lane: usize, x: &mut [f64], d: &mut [f64], f: &mut [f64]) {
+        put_down(lane, self.x.as_ref(), x);
+        put_down(lane, self.d.as_ref(), d);
+        put_down(lane, self.f.as_ref(), f);
+    }
+
     /// Takes over from `other` the lanes where `wanted` is positive.
     #[inline(always)]
     pub fn take_where(&mut self, wanted: L, other: &Self) {
@@ -359,6 +371,13 @@ fn room<L: Lanes>(looks: [(f64, L); 3]) -> L {
     let inside =
         (parabola.at - from).if_positive((-parabola.at + to).if_positive(parabola.gap(), one), one);
     (-parabola.bend).if_positive(inside, one)
+}
+
+/// The entries of one lane.
+pub(super) fn put_down<L: Lanes>(lane: usize, numbers: &[L], values: &mut [f64]) {
+    for (value, number) in values.iter_mut().zip(numbers) {
+        *value = number.entry(lane);
+    }
 }
 
 #[inline(always)]

@@ -18,6 +18,8 @@ pub(in crate::simulate) struct Lockstep<L> {
     taken: L,
     /// What `taken` may come to.
     most: L,
+    /// What it comes to with the step that passes the row.
+    row: L,
     /// Positive where the last step was a plain one.
     margin: L,
 }
@@ -67,6 +69,7 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for Lockstep<L> {
             steps: zero,
             taken: zero,
             most: zero,
+            row: L::from_f64(f64::INFINITY),
             margin: zero,
         }
     }
@@ -89,9 +92,8 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for Lockstep<L> {
         self.steps.set_entry(lane, stretch.steps);
         self.taken.set_entry(lane, stretch.taken);
         let left = (stand.most_steps - stand.tried) as f64;
-        let most = stretch.taken + left;
-        let before_row = ((way.row - stretch.from) / stretch.h).floor();
-        self.most.set_entry(lane, most.min(before_row));
+        self.most.set_entry(lane, stretch.taken + left);
+        self.row.set_entry(lane, stretch.steps_to(way.row));
         self.margin.set_entry(lane, 1.0);
     }
 
@@ -104,7 +106,14 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for Lockstep<L> {
         stretch.taken += taken;
         stand.tried += taken as u64;
         stand.statistics.evaluations += 4 * taken as u64;
+        let h = stretch.h;
         block.store(lane, stand, taken as u64);
+        if let Some(last) = way.last
+            && stand.t >= way.row
+            && taken > 0.0
+        {
+            block.write_down(lane, h, last.start);
+        }
         // An idle lane stands still.
         self.h.set_entry(lane, 0.0);
         self.from.set_entry(lane, stand.t);
@@ -113,10 +122,14 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for Lockstep<L> {
 
     #[inline(always)]
     fn advance(&mut self, block: &mut Block<S, L>, rounds: u64) {
-        let left = block.least(self.steps.smaller(self.most) - self.taken);
+        let most = self.steps.smaller(self.most).smaller(self.row);
+        let rounds = rounds.min(block.least(most - self.taken) as u64);
         let mut here = block.here.clone();
         let (mut end, mut stage) = (here.clone(), here.x.clone());
-        for _ in 0..rounds.min(left as u64) {
+        for round in 1..=rounds {
+            if round == rounds {
+                block.before.take(&here);
+            }
             let taken = self.taken + 1.0;
             end.t = (self.steps - taken).if_positive(self.from + taken * self.h, self.to);
             step(block, self.h, &here, &mut end, &mut stage);

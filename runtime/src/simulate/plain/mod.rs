@@ -2,7 +2,8 @@
 //!
 //! They are taken on lanes, several trajectories together or one alone, by code that is compiled
 //! for the instructions at hand. The first step that is not a plain one (an event, a dead point, a
-//! failure, a row to be recorded) is left to the trajectory's walk.
+//! failure) is left to the trajectory's walk. The first one with a row inside is handed to it for dense
+//! output: rows do not change which steps are plain.
 
 mod block;
 mod lockstep;
@@ -12,7 +13,7 @@ mod steps;
 pub(super) use block::Block;
 pub(super) use lockstep::Lockstep;
 pub(super) use own_steps::OwnSteps;
-pub(super) use steps::{Steps, Verdict, Way};
+pub(super) use steps::{Last, Start, Steps, Verdict, Way};
 
 use std::any::Any;
 
@@ -57,6 +58,7 @@ impl PlainSteps<'_> {
         steps.advance(&mut block, MOST);
         self.verdict = Some(steps.verdict(0));
         let way = Way {
+            last: self.way.last.take(),
             watch: self.way.watch.take(),
             ..self.way
         };

@@ -1,6 +1,6 @@
 //! Lanes with a step size each: Dormand and Prince's pair, accepted or rejected lane by lane.
 
-use super::block::{Block, Point, also, finite};
+use super::block::{Block, Point, also, finite, put_down};
 use super::steps::{Steps, Verdict, Way};
 use crate::lanes::{LaneSystem, Lanes, Row};
 use crate::simulate::automatic::Watch;
@@ -30,7 +30,7 @@ pub(in crate::simulate) struct OwnSteps<S: LaneSystem, L: Lanes> {
     was_rejected: L,
     /// How far the way to a dead point allows to go.
     approach: L,
-    /// The next break, the time that no step reaches, and the end.
+    /// The next break, the time of the next row, and the end.
     to: L,
     row: L,
     until: L,
@@ -42,6 +42,9 @@ pub(in crate::simulate) struct OwnSteps<S: LaneSystem, L: Lanes> {
     margin: L,
     /// What is left to the break.
     left: L,
+    /// Length of the last step and rates at its stages, if a row is passed by it.
+    last: L,
+    stages: Vec<S::States<L>>,
     watch: Option<Watch<L>>,
 }
 
@@ -226,6 +229,8 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for OwnSteps<S, L> {
             most: zero,
             margin: zero,
             left: zero,
+            last: zero,
+            stages: Vec::new(),
             watch: None,
         }
     }
@@ -280,6 +285,15 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for OwnSteps<S, L> {
             *of_stand = ours.of_lane(lane);
         }
         block.store(lane, stand, accepted);
+        if let Some(last) = way.last
+            && stand.t >= way.row
+            && accepted > 0
+        {
+            block.write_down(lane, self.last.entry(lane), last.start);
+            for (values, rates) in last.stages.iter_mut().zip(&self.stages) {
+                put_down(lane, rates.as_ref(), values);
+            }
+        }
         // An idle lane stands still.
         self.to.set_entry(lane, block.here.t.entry(lane));
     }
@@ -298,13 +312,19 @@ impl<S: LaneSystem, L: Lanes> Steps<S, L> for OwnSteps<S, L> {
         };
         for _ in 0..rounds.min(left as u64) {
             let (h, time) = self.next(here.t);
-            self.margin = also(self.margin, self.row - time);
-            if !block.all_positive(self.margin) {
-                break;
-            }
             end.t = time;
             let error = self.step(block, h, &here, &mut end, &mut k, &mut scratch);
+            let has_row = !block.all_positive(self.row - time);
+            if has_row {
+                block.before.take(&here);
+            }
             self.conclude(block, h, error, &mut here, &end, &scratch);
+            if has_row && !block.all_positive(self.row - here.t) {
+                self.last = h;
+                self.stages = k.to_vec();
+                self.left = self.to - here.t;
+                break;
+            }
             self.left = self.to - here.t;
             if !block.all_positive(self.margin) || !block.all_positive(self.left) {
                 break;

@@ -20,10 +20,29 @@ pub(in crate::simulate) enum Verdict {
 pub(in crate::simulate) struct Way<'w> {
     /// The next break.
     pub to: f64,
-    /// No step reaches this time, at which something is recorded.
+    /// Something is recorded at this time: the first step that reaches it is the last one.
     pub row: f64,
+    /// Where that step is written down.
+    pub last: Option<Last<'w>>,
     /// Explicit steps may be given up for stiff ones.
     pub watch: Option<&'w mut Watch<f64>>,
+}
+
+/// What is written down of a step for its dense output; its end is where the trajectory stands.
+pub(in crate::simulate) struct Last<'w> {
+    pub start: &'w mut Start,
+    /// Rates at the stages, as the method keeps them.
+    pub stages: &'w mut [Vec<f64>],
+}
+
+/// The start of a step.
+pub(in crate::simulate) struct Start {
+    pub t: f64,
+    /// Length of the step.
+    pub h: f64,
+    pub x: Vec<f64>,
+    pub d: Vec<f64>,
+    pub f: Vec<f64>,
 }
 
 impl Way<'_> {
@@ -32,6 +51,7 @@ impl Way<'_> {
         Self {
             to,
             row: f64::INFINITY,
+            last: None,
             watch: None,
         }
     }
@@ -51,7 +71,8 @@ pub(in crate::simulate) trait Steps<S: LaneSystem, L: Lanes> {
     /// Puts down what the lane has come to on its way; the lane is idle then.
     fn store(&mut self, lane: usize, stand: &mut Stand, way: Way<'_>, block: &mut Block<S, L>);
 
-    /// Goes on in all lanes until one of them is not under way any more, or for so many rounds.
+    /// Goes on in all lanes until one of them is not under way any more or has passed its row, or
+    /// for so many rounds.
     fn advance(&mut self, block: &mut Block<S, L>, rounds: u64);
 
     /// Where a lane that was under way is now.
