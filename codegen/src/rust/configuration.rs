@@ -63,6 +63,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
             body.push(quote!([#(#results),*]));
             let body = in_blocks(body.finish());
             let table = ident(&table_field(program, configuration));
+            let positions = (0..configuration.leaves.len()).map(unsuffixed);
             let outside = ident(&outside_name(program, configuration));
             let doc_outside = format!(
                 " [`{}`] where the table does not cover all lanes, in a function of its own.",
@@ -90,8 +91,10 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
                             p.#table.where_covered(#argument, #name(#argument, &d, p))
                         }
                     }
-                    // The discrete state by value: whoever calls may keep it in registers.
-                    T::out_of_line(Outside(#argument, *d, p))
+                    // The discrete state by value, and results one by one: whoever calls may keep
+                    // them in registers.
+                    let outside = T::out_of_line(Outside(#argument, *d, p));
+                    [#(outside[#positions]),*]
                 }
             }
         })
