@@ -1341,7 +1341,20 @@ pub mod andrews {
                 p.table_of_β.where_covered(β, functions_of_β(β, &d, p))
             }
         }
-        T::out_of_line(Outside(β, *d, p))
+        let outside = T::out_of_line(Outside(β, *d, p));
+        [
+            outside[0],
+            outside[1],
+            outside[2],
+            outside[3],
+            outside[4],
+            outside[5],
+            outside[6],
+            outside[7],
+            outside[8],
+            outside[9],
+            outside[10],
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

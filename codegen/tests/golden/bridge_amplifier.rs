@@ -524,7 +524,17 @@ pub mod bridge_amplifier {
                 p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, *d, p))
+        let outside = T::out_of_line(Outside(φ1, *d, p));
+        [
+            outside[0],
+            outside[1],
+            outside[2],
+            outside[3],
+            outside[4],
+            outside[5],
+            outside[6],
+            outside[7],
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

@@ -1002,7 +1002,18 @@ pub mod double_rocker {
                 p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, *d, p))
+        let outside = T::out_of_line(Outside(φ1, *d, p));
+        [
+            outside[0],
+            outside[1],
+            outside[2],
+            outside[3],
+            outside[4],
+            outside[5],
+            outside[6],
+            outside[7],
+            outside[8],
+        ]
     }
     /// `per_g_v`, which depends on `v` and params alone, in closed form.
     #[inline(always)]

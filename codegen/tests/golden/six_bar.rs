@@ -1042,7 +1042,19 @@ pub mod six_bar {
                 p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, *d, p))
+        let outside = T::out_of_line(Outside(φ1, *d, p));
+        [
+            outside[0],
+            outside[1],
+            outside[2],
+            outside[3],
+            outside[4],
+            outside[5],
+            outside[6],
+            outside[7],
+            outside[8],
+            outside[9],
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

@@ -481,7 +481,8 @@ pub mod slider_crank {
                 p.table_of_φ.where_covered(φ, functions_of_φ(φ, &d, p))
             }
         }
-        T::out_of_line(Outside(φ, *d, p))
+        let outside = T::out_of_line(Outside(φ, *d, p));
+        [outside[0], outside[1], outside[2], outside[3], outside[4], outside[5]]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

@@ -301,7 +301,8 @@ pub mod slider_crank_by_hand {
                 p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, *d, p))
+        let outside = T::out_of_line(Outside(φ1, *d, p));
+        [outside[0], outside[1], outside[2]]
     }
     /// `half_plus_half_tanh_ω`, which depends on `ω` and params alone, in closed form.
     #[inline(always)]

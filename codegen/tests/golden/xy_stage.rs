@@ -398,7 +398,8 @@ pub mod xy_stage {
                 p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, &d, p))
             }
         }
-        T::out_of_line(Outside(φ1, *d, p))
+        let outside = T::out_of_line(Outside(φ1, *d, p));
+        [outside[0], outside[1], outside[2], outside[3]]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]

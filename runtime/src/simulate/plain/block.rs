@@ -49,7 +49,8 @@ impl<S: LaneSystem, L: Lanes> Clone for Point<S, L> {
     }
 }
 
-/// Sines of the transmission angles.
+/// Squared sines of the transmission angles: a root at every step would take longer than all else
+/// that is looked at.
 struct Loops<S: LaneSystem, L: Lanes> {
     /// At the start of the last step, where each lane stands, and where the step tried ends.
     before: S::Loops<L>,
@@ -124,7 +125,7 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             }
         }
         for (index, sine) in stand.approach.sines().iter().enumerate() {
-            self.loops.here.as_mut()[index].set_entry(lane, *sine);
+            self.loops.here.as_mut()[index].set_entry(lane, sine * sine);
         }
     }
 
@@ -144,8 +145,8 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
             .approach
             .follow(stand.t, loops.passed.entry(lane), |index| {
                 (
-                    loops.before.as_ref()[index].entry(lane),
-                    loops.here.as_ref()[index].entry(lane),
+                    loops.before.as_ref()[index].entry(lane).sqrt(),
+                    loops.here.as_ref()[index].entry(lane).sqrt(),
                 )
             });
     }
@@ -209,9 +210,10 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         let (x, d) = (to.x.as_ref(), to.d.as_ref());
         S::closures_in_lanes(&self.system, to.t, x, d, &self.u, end);
         for (end, here) in end.iter_mut().zip(here) {
-            *end = end.larger(L::from_f64(0.0)).sqrt();
+            *end = end.larger(L::from_f64(0.0));
             let fallen = *here - *end;
-            margin = also(margin, fallen.if_positive(*end - NEAR, L::from_f64(1.0)));
+            let far = *end - NEAR * NEAR;
+            margin = also(margin, fallen.if_positive(far, L::from_f64(1.0)));
         }
         margin
     }
@@ -270,9 +272,11 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
     #[inline(always)]
     pub fn may_step(&self, h: L, passed: L) -> L {
         let mut margin = L::from_f64(1.0);
+        let (twice, all) = (h * 2.0, h.times_plus(L::from_f64(2.0), passed));
+        let (twice, all) = (twice * twice, all * all);
         for (end, here) in self.loops.end.as_ref().iter().zip(self.loops.here.as_ref()) {
-            let fallen = *here - *end;
-            margin = also(margin, *end * passed - fallen * h * 2.0);
+            // end · passed > (here - end) · 2 h, of their squares.
+            margin = also(margin, *end * all - *here * twice);
         }
         margin
     }
@@ -284,9 +288,10 @@ impl<S: LaneSystem, L: Lanes> Block<S, L> {
         let never = L::from_f64(f64::INFINITY);
         let mut longest = never;
         for (end, here) in self.loops.end.as_ref().iter().zip(self.loops.here.as_ref()) {
-            let fallen = *here - *end;
-            if fallen.any_positive() {
-                let left = *end / (fallen / passed);
+            if (*here - *end).any_positive() {
+                let (here, end) = (here.sqrt(), end.sqrt());
+                let fallen = here - end;
+                let left = end / (fallen / passed);
                 longest = longest.smaller(fallen.if_positive(left * 0.5, never));
             }
         }
