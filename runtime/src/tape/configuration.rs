@@ -204,9 +204,7 @@ impl<T: Real> Configurations<T> {
             if inside.all_positive() {
                 for (table, to) in tables.iter().zip(own.chunks_mut(WIDTH)) {
                     let near = table.polynomials(q);
-                    for k in 0..to.len().min(WIDTH) {
-                        to[k] = near[k];
-                    }
+                    to.copy_from_slice(&near[..to.len()]);
                 }
                 continue;
             }
