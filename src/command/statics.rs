@@ -70,7 +70,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         None => heading("equilibrium"),
     });
     let mut row = |name: &str, unit: &str, value: f64, other: Option<f64>| {
-        let shown = |value| scale::with_unit(value, unit, 6);
+        let shown = |value| scale::with_unit(value, unit, 8);
         let mut cells = vec![format!("  {name}"), shown(value)];
         cells.extend(other.map(shown));
         rows.push(cells);
@@ -94,8 +94,15 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         );
     }
     let count = statics.output_count();
-    let shown = (0..count).chain(outputs.iter().copied().filter(|output| *output >= count));
-    for index in shown {
+    let is_state = |output: usize| {
+        let states = statics.states().iter();
+        states
+            .step_by(2)
+            .any(|state| state.name == statics.results()[output].name)
+    };
+    let more = outputs.iter().copied();
+    let more = more.filter(|&output| output >= count && !is_state(output));
+    for index in (0..count).chain(more) {
         let result = &statics.results()[index];
         let value = |at: &Equilibrium| at.results()[index];
         row(
