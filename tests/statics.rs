@@ -202,3 +202,24 @@ fn what_has_no_equilibrium_says_so() {
         "{error}"
     );
 }
+
+#[test]
+fn the_linkage_without_its_contact_rings_at_its_mode() {
+    let text = source("double_rocker").replace("gravity = (0, -9.81 m/s^2)", "");
+    let found = modes(&text, &without(), &[]);
+    let (before, rest) = text.split_once("contact tip").unwrap();
+    let (_, after) = rest.split_once("\n}").unwrap();
+    let after = after.replace("output friction = tip.friction ", "// ");
+    let bare = format!("{before}{after}\ninitial stack.v = 1 mm/s\n");
+    let mut design = Model::from_source("bare.flex", &bare).unwrap().design();
+    design.set("stroke", 0.0).unwrap();
+    let run = simulate(&design.prepare().unwrap())
+        .until(30e-3)
+        .rtol(1e-10)
+        .every(2e-6)
+        .run()
+        .unwrap();
+    let values = run.column("stack.x").values().to_vec();
+    let rung = ringing(run.times(), &values);
+    close("ringing", rung, found[1].frequency(), 1e-3);
+}
