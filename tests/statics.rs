@@ -223,3 +223,38 @@ fn the_linkage_without_its_contact_rings_at_its_mode() {
     let rung = ringing(run.times(), &values);
     close("ringing", rung, found[1].frequency(), 1e-3);
 }
+
+#[test]
+fn amplification_of_the_bridge() {
+    let (l, rise, k, stack) = (20e-3, 8f64.to_radians(), 1.5, 2e7);
+    let lever = 2.0 * l * rise.sin();
+    let text = source("bridge_amplifier");
+    let statics = Statics::from_source("b.flex", &text, &[]).unwrap();
+    let rest = statics.prepare(&statics.defaults()).unwrap();
+    let still = rest.equilibrium(None, &rest.start()).unwrap();
+    let at = |name: &str| {
+        let rows = statics.results();
+        rows.iter().position(|row| row.name == name).unwrap()
+    };
+    // The stack works against the hinges' 12 k through its lever; the output moves by cot α of it.
+    let ratio = -1.0 / rise.tan() / (1.0 + 12.0 * k / (stack * lever * lever));
+    close(
+        "amplification",
+        still.ratio(at("position"), 0),
+        ratio,
+        1e-11,
+    );
+    let total = stack + 12.0 * k / (lever * lever);
+    close(
+        "stiffness",
+        still.stiffness(at("piezo.extension")),
+        total,
+        1e-11,
+    );
+    close(
+        "the stack's own",
+        still.direct(at("piezo.force"), 0),
+        stack,
+        1e-12,
+    );
+}
