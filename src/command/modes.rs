@@ -140,7 +140,12 @@ fn show(linear: &Linear) -> Result<(), Failure> {
             ("free".to_owned(), String::new())
         } else {
             let frequency = scale::with_unit(mode.frequency(), "Hz", 6);
-            (frequency, scale::number(mode.damping(), 4))
+            let unstable = if mode.damping() < 0.0 {
+                ", unstable"
+            } else {
+                ""
+            };
+            (frequency, scale::number(mode.damping(), 4) + unstable)
         };
         rows.push(vec![
             (index + 1).to_string(),

@@ -16,7 +16,7 @@
 //! let rest = statics.prepare(&statics.defaults())?;
 //! let equilibrium = rest.equilibrium(None, &rest.start())?;
 //! let modes = equilibrium.linear().modes();
-//! assert!((modes[0].frequency() - 3740.0).abs() < 10.0);
+//! assert!((modes[1].frequency() - 3740.0).abs() < 10.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
