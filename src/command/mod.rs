@@ -1,6 +1,7 @@
 //! The `flexure` command: its subcommands and options, and how a call ends.
 //!
-//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`]. They report
+//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`],
+//! [`statics`], [`modes`]. They report
 //! failures as [`Failure`], which knows its exit status: 1 where the model or the run failed or a
 //! file could not be read or written, 2 where the call itself is wrong (an unknown option, an
 //! unknown parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
@@ -9,6 +10,8 @@ mod check;
 mod csv;
 mod derive;
 mod emit;
+mod held;
+mod modes;
 mod new;
 mod output;
 mod plot;
@@ -16,6 +19,7 @@ mod portrait;
 mod recording;
 mod settings;
 mod simulate;
+mod statics;
 mod terminal;
 
 use std::io::{self, Write};
@@ -58,6 +62,8 @@ enum Command {
     Derive(derive::Arguments),
     Emit(emit::Arguments),
     Simulate(simulate::Arguments),
+    Static(statics::Arguments),
+    Modes(modes::Arguments),
 }
 
 /// Why a call did not do what it was asked.
@@ -108,6 +114,8 @@ pub fn run() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         Command::Simulate(arguments) => simulate::run(&arguments, &terminal),
+        Command::Static(arguments) => statics::run(&arguments, &terminal),
+        Command::Modes(arguments) => modes::run(&arguments, &terminal),
     };
     match outcome {
         Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,

@@ -147,6 +147,7 @@ pub fn slider_crank() -> Equations {
             name: "motor".to_owned(),
             symbol: torque,
             start: zero,
+            rate: None,
             dimension: Dimension::default(),
             doc: "torque on the crank".to_owned(),
         }],

@@ -80,6 +80,12 @@ impl Derivation<'_> {
 
     /// Drives: their memory, values, rates and kinks.
     pub(super) fn drives(&mut self) {
+        for input in &self.model.inputs {
+            if let Some(rate) = input.rate {
+                let rate = self.g.of(rate);
+                self.drive_rates.insert(input.symbol, rate);
+            }
+        }
         let mut lines = Vec::new();
         for drive in &self.model.drives {
             self.conditions(&drive.waveform.conditions, drive.span);

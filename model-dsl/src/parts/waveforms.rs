@@ -181,6 +181,10 @@ fn periodic(
             jumps,
         }),
         memory: vec![memory("cycle", cycle, zero), memory(place, piece, first)],
+        full: pieces
+            .iter()
+            .map(|piece| piece.to)
+            .find(|to| !g.is_zero(*to)),
         conditions: vec![Condition::above_zero(frequency, "the frequency").in_unit("Hz")],
     }
 }
@@ -237,6 +241,7 @@ pub fn sine(
     let sine = g.sin(angle);
     let swing = g.mul(amplitude, sine);
     Waveform {
+        full: Some(g.add(offset, amplitude)),
         conditions: vec![Condition::not_below_zero(frequency, "the frequency").in_unit("Hz")],
         ..smooth(g.add(offset, swing))
     }
@@ -247,6 +252,7 @@ fn smooth(value: Expr) -> Waveform {
         memory: Vec::new(),
         value,
         kink: None,
+        full: None,
         conditions: Vec::new(),
     }
 }
@@ -256,7 +262,10 @@ fn smooth(value: Expr) -> Waveform {
 /// 0 before the time `at`, `height` from then on.
 pub fn step(g: &mut Graph, name: &str, height: Expr, at: Expr) -> Waveform {
     let zero = g.zero();
-    once(g, name, &[zero, height], &[at], true)
+    Waveform {
+        full: Some(height),
+        ..once(g, name, &[zero, height], &[at], true)
+    }
 }
 
 /// 0 before the time `start`, then growing by `rate` per second: for `duration` seconds, after
@@ -278,6 +287,7 @@ pub fn ramp(
     let end = g.add(start, duration);
     let top = g.mul(rate, duration);
     let mut waveform = once(g, name, &[zero, rising, top], &[start, end], false);
+    waveform.full = Some(top);
     waveform.conditions.push(Condition::not_below_zero(
         duration,
         "the `duration` of the ramp",
@@ -360,6 +370,7 @@ fn once(g: &mut Graph, name: &str, values: &[Expr], ends: &[Expr], jumps: bool) 
             jumps,
         }),
         memory: vec![memory("piece", piece, initial)],
+        full: None,
         conditions: Vec::new(),
     }
 }
@@ -416,6 +427,7 @@ pub fn table(g: &mut Graph, time: Symbol, name: &str, samples: &[(f64, f64)]) ->
             updates,
             jumps,
         }),
+        full: None,
         conditions: Vec::new(),
     })
 }
