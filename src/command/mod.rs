@@ -1,7 +1,7 @@
 //! The `flexure` command: its subcommands and options, and how a call ends.
 //!
-//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`]. They report
-//! failures as [`Failure`], which knows its exit status: 1 where the model or the run failed or a
+//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`], [`sweep`]. They
+//! report failures as [`Failure`], which knows its exit status: 1 where the model or the run failed or a
 //! file could not be read or written, 2 where the call itself is wrong (an unknown option, an
 //! unknown parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
 
@@ -16,7 +16,9 @@ mod portrait;
 mod recording;
 mod settings;
 mod simulate;
+mod sweep;
 mod terminal;
+mod yields;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -41,6 +43,7 @@ Examples:
   flexure check my_stage.flex                              what the model says, and what is wrong
   flexure derive my_stage.flex                             its equations of motion
   flexure simulate my_stage.flex --until 20ms --plot my_stage.html
+  flexure sweep my_stage.flex --vary f=100Hz..2kHz:100Hz --measure 'mean(stage.v)' -o speed.csv
 
 Exit status: 0 done, 1 the model or the run failed, 2 the call is wrong.")]
 struct Arguments {
@@ -58,6 +61,7 @@ enum Command {
     Derive(derive::Arguments),
     Emit(emit::Arguments),
     Simulate(simulate::Arguments),
+    Sweep(sweep::Arguments),
 }
 
 /// Why a call did not do what it was asked.
@@ -108,6 +112,7 @@ pub fn run() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         Command::Simulate(arguments) => simulate::run(&arguments, &terminal),
+        Command::Sweep(arguments) => sweep::run(&arguments, &terminal),
     };
     match outcome {
         Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,
