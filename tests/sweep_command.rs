@@ -100,6 +100,16 @@ fn a_grid_has_a_row_for_each_point_in_order() {
 }
 
 #[test]
+fn the_actuator_has_its_known_mean_speed() {
+    let here = folder("actuator");
+    let model = concat!(env!("CARGO_MANIFEST_DIR"), "/models/double_rocker.flex");
+    let [table, _] = sweep(&here, 0, &[model, "--measure", "mean(stage.v)"]);
+    // 20 N, 1 kHz, cycles 10 to 30, by an independent program: five digits.
+    let speed = number(rows(&table)[1][0]);
+    assert!((speed - 8.74628e-3).abs() < 0.5e-8, "{speed}");
+}
+
+#[test]
 fn measures_are_those_of_the_motion_that_simulate_gives() {
     let here = folder("measures");
     let names = [

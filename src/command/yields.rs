@@ -114,7 +114,7 @@ impl<'a> Yields<'a> {
             }
             lines.push(line);
         }
-        push_aligned(&mut self.text, &lines);
+        push_aligned(&mut self.text, &lines, true);
         let share = |passed: usize| {
             let [low, high] = share_range(passed, self.draws);
             let percent = |share: f64| scale::number(100.0 * share, DIGITS);
@@ -133,7 +133,7 @@ impl<'a> Yields<'a> {
         if self.limits.len() > 1 {
             lines.push(vec!["all limits".to_owned(), share(self.passed_all)]);
         }
-        push_aligned(&mut self.text, &lines);
+        push_aligned(&mut self.text, &lines, false);
         self.values.iter_mut().for_each(Vec::clear);
         self.passed.fill(0);
         (self.rows, self.passed_all) = (0, 0);
@@ -156,8 +156,8 @@ fn quantile(sorted: &[f64], share: f64) -> f64 {
     sorted[below] + (sorted[above] - sorted[below]) * (place - place.floor())
 }
 
-/// Lines of cells, the first left-aligned and the others right-aligned but for a last one alone.
-fn push_aligned(text: &mut String, lines: &[Vec<String>]) {
+/// Lines of cells, the first of each left-aligned, the others to the right if asked for.
+fn push_aligned(text: &mut String, lines: &[Vec<String>], numbers: bool) {
     let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
         let cells = lines.iter().filter_map(|line| line.get(column));
@@ -168,14 +168,12 @@ fn push_aligned(text: &mut String, lines: &[Vec<String>]) {
         let mut row = String::new();
         for (column, cell) in line.iter().enumerate() {
             let pad = " ".repeat(widths[column] - cell.chars().count());
-            if column == 0 {
-                row.push_str(cell);
-                row.push_str(&pad);
-            } else {
-                row.push_str("  ");
-                row.push_str(&pad);
-                row.push_str(cell);
-            }
+            let (before, behind) = match numbers && column > 0 {
+                true => (pad.as_str(), ""),
+                false => ("", pad.as_str()),
+            };
+            row.push_str(if column > 0 { "  " } else { "" });
+            row.extend([before, cell, behind]);
         }
         let _ = writeln!(text, "{}", row.trim_end());
     }

@@ -3,6 +3,7 @@
 
 use flexure_runtime::diagnostic::Diagnostic;
 
+use super::target::unit;
 use super::{Axis, Draws, PointsFile, Target};
 use crate::{Design, Model};
 
@@ -156,10 +157,10 @@ impl Points {
     /// SI units of the columns of a point.
     pub fn units(&self, model: &Model) -> Vec<String> {
         let factors = self.factors.iter().flat_map(|factor| &factor.targets);
-        let varied = factors.map(|target| target.dimension().si_unit());
+        let varied = factors.map(Target::unit);
         let spreads = self.draws.iter().flat_map(|draws| &draws.spreads);
         let params = spreads.flat_map(|spread| spread.target.params());
-        let drawn = params.map(|param| model.equations().params[*param].dimension.si_unit());
+        let drawn = params.map(|param| unit(model.equations().params[*param].dimension));
         varied.chain(drawn).collect()
     }
 

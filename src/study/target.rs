@@ -1,6 +1,6 @@
 //! What a design point gives a value to: a param, or several that are scaled together.
 
-use flexure_model_dsl::units::Dimension;
+use flexure_model_dsl::units::{Dimension, Mark};
 use flexure_runtime::diagnostic::Diagnostic;
 
 use crate::Model;
@@ -75,6 +75,11 @@ impl Target {
         self.dimension
     }
 
+    /// SI unit of its values, `1` if it has none.
+    pub fn unit(&self) -> String {
+        unit(self.dimension)
+    }
+
     /// Positions of its params in the model.
     pub fn params(&self) -> &[usize] {
         &self.params
@@ -89,5 +94,14 @@ impl Target {
                 value
             };
         }
+    }
+}
+
+/// The SI unit of a dimension, with Hz for frequencies.
+pub(super) fn unit(dimension: Dimension) -> String {
+    if dimension.mark() == Mark::Frequency && dimension.same_units(Dimension::FREQUENCY) {
+        "Hz".to_owned()
+    } else {
+        dimension.si_unit()
     }
 }
