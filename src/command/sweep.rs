@@ -152,8 +152,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         bar: terminal.progress(),
     };
     let outcome = match &arguments.output {
-        Some(output) => study.into_file(output, arguments.restart, terminal),
-        None => study.to_stdout(),
+        Some(output) => study.write(output, arguments.restart, terminal),
+        None => study.print(),
     };
     study.bar.finish_and_clear();
     outcome?;
@@ -316,7 +316,7 @@ struct Study<'a> {
 
 impl Study<'_> {
     /// Rows go to standard output as they are done.
-    fn to_stdout(&mut self) -> Result<(), Failure> {
+    fn print(&mut self) -> Result<(), Failure> {
         let mut out = io::BufWriter::new(io::stdout().lock());
         let mut line = String::new();
         self.push_header(&mut line);
@@ -348,12 +348,7 @@ impl Study<'_> {
     }
 
     /// Rows go to the journal, and from there into the file when all are done.
-    fn into_file(
-        &mut self,
-        output: &Path,
-        restart: bool,
-        terminal: &Terminal,
-    ) -> Result<(), Failure> {
+    fn write(&mut self, output: &Path, restart: bool, terminal: &Terminal) -> Result<(), Failure> {
         let mut path = output.as_os_str().to_owned();
         path.push(".journal");
         let path = PathBuf::from(path);
