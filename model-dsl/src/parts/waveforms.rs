@@ -186,6 +186,7 @@ fn periodic(
             .map(|piece| piece.to)
             .find(|to| !g.is_zero(*to)),
         conditions: vec![Condition::above_zero(frequency, "the frequency").in_unit("Hz")],
+        frequency: Some(frequency),
     }
 }
 
@@ -243,6 +244,7 @@ pub fn sine(
     Waveform {
         full: Some(g.add(offset, amplitude)),
         conditions: vec![Condition::not_below_zero(frequency, "the frequency").in_unit("Hz")],
+        frequency: Some(frequency),
         ..smooth(g.add(offset, swing))
     }
 }
@@ -254,6 +256,7 @@ fn smooth(value: Expr) -> Waveform {
         kink: None,
         full: None,
         conditions: Vec::new(),
+        frequency: None,
     }
 }
 
@@ -372,6 +375,7 @@ fn once(g: &mut Graph, name: &str, values: &[Expr], ends: &[Expr], jumps: bool) 
         memory: vec![memory("piece", piece, initial)],
         full: None,
         conditions: Vec::new(),
+        frequency: None,
     }
 }
 
@@ -429,6 +433,7 @@ pub fn table(g: &mut Graph, time: Symbol, name: &str, samples: &[(f64, f64)]) ->
         }),
         full: None,
         conditions: Vec::new(),
+        frequency: None,
     })
 }
 
