@@ -33,6 +33,7 @@ mod assembled;
 mod macros;
 mod model;
 mod reach;
+pub mod response;
 
 pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
 pub use flexure_codegen as codegen;

@@ -1,11 +1,15 @@
 //! The `flexure` command: its subcommands and options, and how a call ends.
 //!
-//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`]. They report
-//! failures as [`Failure`], which knows its exit status: 1 where the model or the run failed or a
-//! file could not be read or written, 2 where the call itself is wrong (an unknown option, an
-//! unknown parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
+//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`], [`response`],
+//! [`sensitivity`]. They report failures as [`Failure`], which knows its exit status: 1 where the
+//! model or the run failed or a file could not be read or written, 2 where the call itself is wrong
+//! (an unknown option, an unknown parameter, a value in the wrong unit). A reader that closes the
+//! pipe early is no failure.
 
+mod actuator;
+mod axis;
 mod check;
+mod columns;
 mod csv;
 mod derive;
 mod emit;
@@ -14,6 +18,8 @@ mod output;
 mod plot;
 mod portrait;
 mod recording;
+mod response;
+mod sensitivity;
 mod settings;
 mod simulate;
 mod terminal;
@@ -58,6 +64,8 @@ enum Command {
     Derive(derive::Arguments),
     Emit(emit::Arguments),
     Simulate(simulate::Arguments),
+    Response(response::Arguments),
+    Sensitivity(sensitivity::Arguments),
 }
 
 /// Why a call did not do what it was asked.
@@ -108,6 +116,8 @@ pub fn run() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         Command::Simulate(arguments) => simulate::run(&arguments, &terminal),
+        Command::Response(arguments) => response::run(&arguments, &terminal),
+        Command::Sensitivity(arguments) => sensitivity::run(&arguments, &terminal),
     };
     match outcome {
         Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,
