@@ -378,7 +378,7 @@ fn loosest(
 }
 
 /// All implementations that a study can be made for, on one core and, where there are more, on all.
-/// The tape is left out: W1 has its time per right-hand side, and equal steps are not for it.
+/// One trajectory after the other on the tape is left out: W1 has its time per right-hand side.
 fn on_one_core_and_all<'a>(
     all: &'a [Implementation],
     study: impl Fn(&Implementation) -> Option<Study>,
@@ -394,7 +394,8 @@ fn on_one_core_and_all<'a>(
                     threads,
                     ..study(implementation)?
                 };
-                let can = implementation.can(study.method) && !implementation.name.contains("tape");
+                let can = implementation.can(study.method)
+                    && implementation.name != "flexure tape simulate";
                 can.then(|| candidate(implementation, study, false))
             })
         })

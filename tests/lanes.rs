@@ -1,13 +1,18 @@
-//! Right-hand sides on lanes: every path, in any company, computes what plain numbers do.
+//! Right-hand sides on lanes: every path, in any company and alone, computes what plain numbers do.
 
 use flexure_models::double_rocker::{Params, Prepared, rhs};
-use flexure_runtime::lanes::{LaneSystem, Lanes, Path, Task, on_path, on_path_alone};
+use flexure_runtime::lanes::{
+    LaneSystem, Lanes, Path, Task, on_path, on_path_alone, on_path_in_one_register,
+};
+use flexure_runtime::system::System;
 use proptest::prelude::*;
 
 /// Rates of the states of one trajectory each.
 struct Rates<'a> {
     designs: &'a [Prepared<f64>],
     states: &'a [[f64; 7]],
+    /// Whether each trajectory is one alone; for one lane.
+    alone: bool,
 }
 
 impl Task for Rates<'_> {
@@ -21,6 +26,9 @@ impl Task for Rates<'_> {
             let mut prepared = self.designs[first].in_every_lane::<T>();
             for lane in 0..T::COUNT {
                 self.designs[index(lane)].put_in_lane(lane, &mut prepared);
+            }
+            if self.alone {
+                prepared = self.designs[first].alone::<T>();
             }
             let x = std::array::from_fn(|i| T::from_entries(|lane| self.states[index(lane)][i]));
             let mut dx = [T::from_f64(0.0); 7];
@@ -55,6 +63,34 @@ prop_compose! {
     }
 }
 
+#[test]
+fn curves_are_for_trajectories_alone() {
+    let design = Params::default().prepare().unwrap();
+    let [(quantity, report)] = &design.curves()[..] else {
+        panic!("{:?}", design.curves());
+    };
+    assert_eq!(*quantity, "v");
+    // Six times the Stribeck velocity: exp(-36) is rounding.
+    assert!((5e-3..8e-3).contains(&report.reach), "{report:?}");
+    assert!(
+        report.intervals <= 256 && report.error <= 1e-14,
+        "{report:?}"
+    );
+    let at = 1e-4;
+    assert!(design.curve_of_per_g_v.at(at).is_none());
+    assert!(
+        design
+            .in_every_lane::<f64>()
+            .curve_of_per_g_v
+            .at(at)
+            .is_none()
+    );
+    assert!(design.alone::<f64>().curve_of_per_g_v.at(at).is_some());
+    let exact = design.exact();
+    assert!(exact.curves().is_empty());
+    assert!(exact.alone::<f64>().curve_of_per_g_v.at(at).is_none());
+}
+
 proptest! {
     #[test]
     fn every_path_agrees_with_plain_numbers(
@@ -63,15 +99,17 @@ proptest! {
         let designs: Vec<_> =
             trajectories.iter().map(|(design, _)| design.prepare().unwrap()).collect();
         let states: Vec<_> = trajectories.iter().map(|(_, x)| *x).collect();
-        let rates = || Rates { designs: &designs, states: &states };
+        let rates = || Rates { designs: &designs, states: &states, alone: false };
         let plain = rates().run::<f64>();
         prop_assert!(plain.iter().flatten().all(|rate| rate.is_finite()));
         prop_assert_eq!(&on_path(Path::Portable, rates()), &plain);
         for path in Path::ALL {
             let lanes = on_path(path, rates());
             prop_assert_eq!(&lanes, &on_path_alone(path, rates()), "{:?}", path);
+            let alone = on_path_alone(path, Rates { alone: true, ..rates() });
+            prop_assert_eq!(&lanes, &on_path_in_one_register(path, rates()), "{:?}", path);
             // An acceleration is a difference of forces: errors are in proportion to the largest.
-            for (ours, plain) in lanes.iter().zip(&plain) {
+            for (ours, plain) in lanes.iter().chain(&alone).zip(plain.iter().chain(&plain)) {
                 for (i, scale) in [1.0, 1e7, 1.0, 1e5, 1.0, 1e4, 1.0].into_iter().enumerate() {
                     let difference = (ours[i] - plain[i]).abs();
                     prop_assert!(

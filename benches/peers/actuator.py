@@ -66,8 +66,18 @@ def make_rates(sin, cos, sqrt, exp, asin, magnitude, dyad=dyad):
     return rates
 
 
-def segments(until):
+def segments(until, frequency=F):
     """(from, to, drive at the start, its rate) between the drive's kinks."""
-    for cycle in range(round(until * F)):
-        yield cycle / F, (cycle + RISE) / F, 0.0, STROKE * F / RISE
-        yield (cycle + RISE) / F, (cycle + 1) / F, STROKE, -STROKE * F / (1 - RISE)
+    cycle = 0
+    while cycle / frequency < until:
+        rates = STROKE * frequency / RISE, -STROKE * frequency / (1 - RISE)
+        kinks = cycle / frequency, (cycle + RISE) / frequency, (cycle + 1) / frequency
+        for (begin, end), start, rate in zip(zip(kinks, kinks[1:]), (0.0, STROKE), rates):
+            if begin < until:
+                yield begin, min(end, until), start, rate
+        cycle += 1
+
+
+def equal_steps(begin, end, step):
+    """The fewest equal steps that are no longer than `step`."""
+    return max(1, math.ceil((end - begin) / step * (1 - 1e-9)))

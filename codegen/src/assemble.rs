@@ -11,7 +11,9 @@ use flexure_model_dsl::symbolic::{Expr, Graph, Symbol};
 use flexure_runtime::failure::{Failure, Unit};
 use flexure_runtime::system::{Causality, Variable};
 
+use crate::curves;
 use crate::cut::cut;
+use crate::late;
 use crate::lower::{Binding, Context, Lowering};
 use crate::program::{Check, Event, Function, Message, Program, Set, Solve, Symbols};
 use crate::symbolic::Symbolic;
@@ -25,6 +27,8 @@ pub fn program(equations: &Equations) -> Program {
     builder.functions();
     builder.parameter_stage();
     cut(&mut builder.program);
+    curves::take_out(&mut builder.program);
+    late::arrange(&mut builder.program);
     builder.program
 }
 

@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use flexure_runtime::tape::Operation;
 
 use crate::names::identifier;
-use crate::program::{Configuration, Function, Name, Program};
+use crate::program::{Compiled, Configuration, Function, Name, Program};
 use crate::schedule::order;
 use crate::values::{Node, Stage, Value, Values};
 
@@ -28,8 +28,15 @@ const ENTRY: u32 = 6;
 /// More functions than this are not tabulated for one coordinate.
 const MOST: usize = 24;
 
-/// Takes the functions of one coordinate out of the rates of `program`, where it pays.
+/// Takes the functions of one coordinate out of the rates of `program`, where it pays, and out of
+/// what ends a step.
 pub(crate) fn cut(program: &mut Program) {
+    program.compiled = Compiled {
+        rhs: program.rhs.clone(),
+        accept: program.accept.clone(),
+        closures: program.closures.clone(),
+        curves: Vec::new(),
+    };
     let plain = program.rhs.clone();
     let folded = Folding::new(program).fold();
     let count = |function: &Function| -> usize {
@@ -53,10 +60,21 @@ pub(crate) fn cut(program: &mut Program) {
         return;
     }
     program.names.extend(folded.names);
+    let mut at_ends = [&program.accept, &program.closures].map(|f| boundary(&program.values, f));
     let mut leaves = HashMap::new();
-    for (coordinate, values) in paying {
+    for (coordinate, mut values) in paying {
+        let rates = values.len();
+        for cuts in &mut at_ends {
+            let others = cuts.remove(&coordinate).unwrap_or_default();
+            for value in others {
+                if values.len() < MOST && !values.contains(&value) {
+                    values.push(value);
+                }
+            }
+        }
         let mut configuration = Configuration {
             coordinate,
+            rates,
             functions: Function::default(),
             leaves: Vec::with_capacity(values.len()),
         };
@@ -74,7 +92,10 @@ pub(crate) fn cut(program: &mut Program) {
         }
         program.configurations.push(configuration);
     }
-    program.rhs = replaced(program, &rates, leaves);
+    program.rhs = replaced(program, &rates, leaves.clone());
+    program.compiled.rhs = program.rhs.clone();
+    program.compiled.accept = replaced(program, &program.accept.clone(), leaves.clone());
+    program.compiled.closures = replaced(program, &program.closures.clone(), leaves);
 }
 
 /// For each value that depends on nothing but params, turn references and at most one coordinate:
@@ -183,7 +204,7 @@ fn pays(values: &Values, functions: &[Value]) -> bool {
 
 /// `function` with some values replaced, and what is computed of them computed anew under the names
 /// that it had.
-fn replaced(
+pub(crate) fn replaced(
     program: &mut Program,
     function: &Function,
     mut memo: HashMap<Value, Value>,

@@ -14,10 +14,12 @@
 //! derivatives, stages) is done before they start, so that they only write down.
 
 mod assemble;
+mod curves;
 mod cut;
 mod directions;
 mod dot;
 mod jacobian;
+mod late;
 mod listing;
 mod lower;
 mod names;
@@ -34,7 +36,8 @@ pub use assemble::{program, unit};
 pub use dot::dot;
 pub use listing::listing;
 pub use program::{
-    Check, Configuration, Event, Function, Message, Name, Program, Set, Solve, Symbols,
+    Check, Compiled, Configuration, Curve, Event, Function, Message, Name, Program, Set, Solve,
+    Symbols,
 };
 pub use rust::{Texts, module_name, rust, rust_source, skeleton};
 pub use tape::tape;

@@ -192,7 +192,7 @@ fn formula(program: &Program, value: Value, depth: usize, is_root: bool) -> Stri
         Node::State(index) => return of(&symbols.states, index),
         Node::Discrete(index) => return of(&symbols.discretes, index),
         Node::Input(index) => return of(&symbols.inputs, index),
-        Node::Tabulated(..) | Node::Lookup(..) => return "table".to_owned(),
+        Node::Tabulated(..) | Node::Lookup(..) | Node::Curve(..) => return "table".to_owned(),
         Node::Apply(operation, operands) => (operation, operands),
     };
     if depth == 0 {

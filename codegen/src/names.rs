@@ -160,6 +160,10 @@ impl Described {
             Node::Discrete(index) => of(&symbols.discretes, index),
             Node::Input(index) => of(&symbols.inputs, index),
             Node::Lookup(..) => None,
+            Node::Curve(index, _) => {
+                let curve = program.compiled.curves.get(index as usize)?;
+                self.name(curve.closed_form).map(str::to_owned)
+            }
             Node::Tabulated(_) => {
                 let mut tabulated = program.configurations.iter().flat_map(|configuration| {
                     let closed_forms = configuration.functions.roots();

@@ -70,6 +70,8 @@ pub struct Program {
     pub turning: Vec<usize>,
     /// Closures of the loops.
     pub closures: Function,
+    /// Functions in the form that compiled code computes them in.
+    pub compiled: Compiled,
     /// Names of the loops.
     pub loop_names: Vec<String>,
 }
@@ -154,10 +156,36 @@ impl Function {
 pub struct Configuration {
     /// Position of the coordinate among the states.
     pub coordinate: u32,
+    /// Number of those that rates are computed of. They come first; the others are angles and
+    /// closures, for the end of a step.
+    pub rates: usize,
     /// Their closed forms.
     pub functions: Function,
-    /// What stands for each of them in the right-hand side.
+    /// What stands for each of them.
     pub leaves: Vec<Value>,
+}
+
+/// Functions as compiled code computes them: with the values of tables and curves, and so that what
+/// is known last is used last.
+#[derive(Clone, Debug, Default)]
+pub struct Compiled {
+    /// Rates of the continuous states.
+    pub rhs: Function,
+    /// Discrete states after an accepted step.
+    pub accept: Function,
+    /// Closures of the loops.
+    pub closures: Function,
+    /// Curves that `rhs` is computed of.
+    pub curves: Vec<Curve>,
+}
+
+/// A function of one quantity of the state stage and of params.
+#[derive(Clone, Copy, Debug)]
+pub struct Curve {
+    /// The quantity.
+    pub pivot: Value,
+    /// Its closed form.
+    pub closed_form: Value,
 }
 
 /// A condition on params.
@@ -251,6 +279,25 @@ impl Program {
     pub(crate) fn coordinate_text(&self, configuration: &Configuration) -> &str {
         let position = configuration.coordinate as usize;
         self.symbols.states.get(position).map_or("", |text| text)
+    }
+
+    /// The functions that compiled code is written of.
+    pub(crate) fn compiled_functions(&self) -> Vec<Function> {
+        let replaced = [&self.rhs, &self.accept, &self.closures];
+        let compiled = [
+            &self.compiled.rhs,
+            &self.compiled.accept,
+            &self.compiled.closures,
+        ];
+        let all = self.functions().into_iter();
+        let others = all.filter(|function| !replaced.iter().any(|r| std::ptr::eq(*r, *function)));
+        let curves = Function {
+            results: (0..)
+                .zip(self.compiled.curves.iter().map(|curve| curve.closed_form))
+                .collect(),
+        };
+        let functions = others.chain(compiled).cloned();
+        functions.chain([curves]).collect()
     }
 
     /// Every function of time, state and inputs, in the order in which listings have them.

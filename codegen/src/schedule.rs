@@ -1,6 +1,6 @@
 //! In which order values are computed.
 
-use crate::program::Program;
+use crate::program::{Function, Program};
 use crate::values::{Stage, Value, Values};
 
 /// Every computed value that `roots` need and `keep` admits, each after its operands, shortly
@@ -58,10 +58,22 @@ pub(crate) fn prepared_operands(
 
 /// All values of the parameter stage that any function of the program reads, in order of making.
 pub(crate) fn prepared(program: &Program) -> Vec<Value> {
+    prepared_for(&program.values, program.functions())
+}
+
+/// The same for compiled code.
+pub(crate) fn prepared_compiled(program: &Program) -> Vec<Value> {
+    prepared_for(&program.values, &program.compiled_functions())
+}
+
+fn prepared_for<'f>(
+    values: &Values,
+    functions: impl IntoIterator<Item = &'f Function>,
+) -> Vec<Value> {
     let mut all = std::collections::BTreeSet::new();
-    for function in program.functions() {
-        let order = moving_order(&program.values, function.roots());
-        all.extend(prepared_operands(&program.values, &order, function.roots()));
+    for function in functions {
+        let order = moving_order(values, function.roots());
+        all.extend(prepared_operands(values, &order, function.roots()));
     }
     all.into_iter().collect()
 }

@@ -21,7 +21,9 @@ pub fn tape(program: &Program) -> TapeModel {
         .iter()
         .map(|configuration| TapeConfiguration {
             coordinate: configuration.coordinate as usize,
-            functions: function(&configuration.functions),
+            functions: function(&Function {
+                results: configuration.functions.results[..configuration.rates].to_vec(),
+            }),
         })
         .collect();
     let rhs = function(&program.rhs);
@@ -252,7 +254,8 @@ fn function_tape(values: &Values, function: &Function, prepare: &mut PrepareRegi
             | Node::Param(_)
             | Node::Unknown(_)
             | Node::Apply(..)
-            | Node::Lookup(..) => continue,
+            | Node::Lookup(..)
+            | Node::Curve(..) => continue,
         };
         register.entry(value).or_insert_with(|| {
             tape.loads.push(load);

@@ -54,6 +54,8 @@ pub enum Node {
     Apply(Operation, [Value; 3]),
     /// An entry of a table.
     Lookup(u32, Value),
+    /// A function of a value that a curve gives, counted over all curves.
+    Curve(u32, Value),
 }
 
 #[derive(Clone, Debug)]
@@ -114,7 +116,7 @@ impl Values {
     pub fn operands(&self, value: Value) -> impl Iterator<Item = Value> + use<> {
         let (operands, count) = match self.node(value) {
             Node::Apply(operation, operands) => (operands, operation.arity()),
-            Node::Lookup(_, position) => ([position; 3], 1),
+            Node::Lookup(_, position) | Node::Curve(_, position) => ([position; 3], 1),
             _ => ([value; 3], 0),
         };
         operands.into_iter().take(count)
@@ -122,7 +124,10 @@ impl Values {
 
     /// Whether `value` is computed, rather than given.
     pub fn is_computed(&self, value: Value) -> bool {
-        matches!(self.node(value), Node::Apply(..) | Node::Lookup(..))
+        matches!(
+            self.node(value),
+            Node::Apply(..) | Node::Lookup(..) | Node::Curve(..)
+        )
     }
 
     /// A number.
@@ -178,6 +183,12 @@ impl Values {
             stage.max(Stage::Parameter),
             level,
         )
+    }
+
+    /// What a curve gives at `pivot`.
+    pub fn curve(&mut self, index: u32, pivot: Value) -> Value {
+        let (stage, level) = (self.stage(pivot), self.level(pivot));
+        self.leaf(Node::Curve(index, pivot), stage, level)
     }
 
     fn simplified(&mut self, operation: Operation, operands: [Value; 3]) -> Option<Value> {

@@ -49,7 +49,7 @@ pub trait Real:
     fn atan(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
-    /// e to this power.
+    /// e to this power; zero where that is not a normal number any more.
     fn exp(self) -> Self;
     /// Natural logarithm.
     fn ln(self) -> Self;
@@ -75,6 +75,21 @@ pub trait Real:
     fn lookup(self, table: &[f64]) -> Self;
     /// This times `factor` plus `addend`, rounded once where that costs nothing.
     fn times_plus(self, factor: Self, addend: Self) -> Self;
+    /// This plus the product of two factors, rounded once where that costs nothing.
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        a.times_plus(b, self)
+    }
+    /// This minus the product of two factors, rounded once where that costs nothing.
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        (-a).times_plus(b, self)
+    }
+    /// The plain number that this is; `None` for lanes and for numbers that carry more.
+    #[inline(always)]
+    fn plain(self) -> Option<f64> {
+        None
+    }
     /// Whether this is positive, in every lane.
     fn all_positive(self) -> bool;
     /// Whether this is positive, in any lane.
@@ -111,6 +126,10 @@ impl Real for f64 {
     #[inline(always)]
     fn times_plus(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
+    }
+    #[inline(always)]
+    fn plain(self) -> Option<f64> {
+        Some(self)
     }
     #[inline(always)]
     fn all_positive(self) -> bool {

@@ -9,7 +9,7 @@
 
 use std::borrow::Cow;
 
-use crate::table::TableReport;
+use crate::table::{CurveReport, TableReport};
 
 /// What a variable is to the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,6 +131,11 @@ pub trait System: Send + Sync {
     /// The tables by which the right-hand side has its functions of one coordinate; none if it
     /// evaluates closed forms everywhere.
     fn tables(&self) -> Vec<TableReport> {
+        Vec::new()
+    }
+    /// The curves by which the right-hand side of one trajectory alone has functions of one quantity,
+    /// each with the quantity's name; none if it evaluates closed forms everywhere.
+    fn curves(&self) -> Vec<(&str, CurveReport)> {
         Vec::new()
     }
     /// Whether a coordinate of `x` is outside of its table's interval, so that the right-hand side

@@ -66,3 +66,31 @@ fn lanes_do_not_depend_on_each_other() {
         }
     }
 }
+
+#[test]
+fn every_degree() {
+    for degree in 0..=12 {
+        let coefficients: Vec<Vec<f64>> = (0..=degree)
+            .map(|power| vec![1.0 / (power as f64 + 1.0), f64::from(power as i32 % 3 - 1)])
+            .collect();
+        let fit = Fit {
+            center: 2.0,
+            half_width: 0.5,
+            degree,
+            error: 0.0,
+            coefficients,
+        };
+        let table = Table::<f64, 2>::new(&fit, 0);
+        for coordinate in [1.6, 1.9, 2.0, 2.3, 2.45] {
+            let s = (coordinate - 2.0) / 0.5;
+            for (k, found) in table.polynomials(coordinate).into_iter().enumerate() {
+                let rows = fit.coefficients.iter().rev();
+                let expected = rows.fold(0.0, |sum, row| sum * s + row[k]);
+                assert!(
+                    (found - expected).abs() < 1e-14,
+                    "{degree}: {found} {expected}"
+                );
+            }
+        }
+    }
+}

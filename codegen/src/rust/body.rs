@@ -7,7 +7,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::configuration::function_name;
-use super::expression::{Piece, apply, ident, unsuffixed};
+use super::curve;
+use super::expression::{Level, Piece, apply, ident, method, unsuffixed};
 use crate::names::{Described, Namer};
 use crate::program::Program;
 use crate::values::{Node, Stage, Value};
@@ -16,7 +17,7 @@ use crate::values::{Node, Stage, Value};
 const LINE: usize = 64;
 
 /// Names that generated functions use themselves, or that would be patterns instead of names.
-pub(super) const RESERVED: [&str; 40] = [
+pub(super) const RESERVED: [&str; 42] = [
     "t",
     "x",
     "d",
@@ -40,6 +41,8 @@ pub(super) const RESERVED: [&str; 40] = [
     "COORDINATES",
     "Table",
     "TableReport",
+    "Curve",
+    "CurveReport",
     "prepared",
     "Self",
     "Real",
@@ -77,6 +80,8 @@ pub(super) struct Body<'w, 'p> {
     /// Type of numbers: `T`, or `f64` in `prepare`.
     number: TokenStream,
     is_prepare: bool,
+    /// Whether products are fused with the sums that they are terms of.
+    is_fused: bool,
     namer: Namer,
     pieces: HashMap<Value, Piece>,
     /// The values of `pieces` in the order in which they came.
@@ -103,6 +108,22 @@ impl<'w, 'p> Body<'w, 'p> {
         }
     }
 
+    /// An empty body of a function whose state stage counts: products there are fused with sums.
+    pub(super) fn fused(writer: &'w Writer<'p>) -> Self {
+        Self {
+            is_fused: true,
+            ..Self::new(writer, false)
+        }
+    }
+
+    /// The same of the state stage alone, which no comment needs to say.
+    pub(super) fn of_state(writer: &'w Writer<'p>) -> Self {
+        Self {
+            stage: Some(Stage::State),
+            ..Self::fused(writer)
+        }
+    }
+
     /// An empty body of `prepare`, in plain numbers.
     pub(super) fn prepare(writer: &'w Writer<'p>) -> Self {
         Self::new(writer, true)
@@ -117,10 +138,14 @@ impl<'w, 'p> Body<'w, 'p> {
         for configuration in &writer.program.configurations {
             namer.name(&function_name(writer.program, configuration));
         }
+        for (index, curve) in writer.program.compiled.curves.iter().enumerate() {
+            namer.name(&curve::function_name(writer, index, curve));
+        }
         Self {
             writer,
             number: if is_prepare { quote!(f64) } else { quote!(T) },
             is_prepare,
+            is_fused: false,
             namer,
             pieces: HashMap::new(),
             made: Vec::new(),
@@ -183,11 +208,24 @@ impl<'w, 'p> Body<'w, 'p> {
             *uses.entry(value).or_insert(0) += 1;
         }
         let angles = self.shared_angles(order);
+        let pivots: Vec<Value> = order
+            .iter()
+            .filter_map(|value| match values.node(*value) {
+                Node::Curve(_, pivot) => Some(pivot),
+                _ => None,
+            })
+            .collect();
         for &value in order {
             if self.pieces.contains_key(&value) {
                 continue;
             }
             self.load_operands(value);
+            if let Node::Curve(index, pivot) = values.node(value) {
+                let argument = self.piece(pivot).tokens;
+                let tokens = curve::value(self.writer, index as usize, &argument);
+                self.bind(value, &tokens);
+                continue;
+            }
             let (operation, operands) = match values.node(value) {
                 Node::Apply(operation, operands) => (operation, operands),
                 Node::Lookup(_, position) => (Operation::Lookup, [position; 3]),
@@ -199,11 +237,23 @@ impl<'w, 'p> Body<'w, 'p> {
                 self.sine_and_cosine(pair, operands[0], value);
                 continue;
             }
-            let piece = self.expression(value, operation, operands);
+            let is_inner = |operand: Value| {
+                uses.get(&operand) == Some(&1) && !self.writer.program.names.contains_key(&operand)
+            };
+            let piece = if self.is_fused && values.stage(value) == Stage::State {
+                self.fused_sum(operation, operands, is_inner)
+            } else {
+                None
+            };
+            let piece = piece.unwrap_or_else(|| self.expression(value, operation, operands));
             let is_named = self.writer.program.names.contains_key(&value);
             let is_shared = uses.get(&value).is_some_and(|count| *count > 1);
             let is_trivial = operation == Operation::Negate && piece.length <= 20;
-            if is_named || (is_shared && !is_trivial) || piece.length > LINE {
+            if is_named
+                || pivots.contains(&value)
+                || (is_shared && !is_trivial)
+                || piece.length > LINE
+            {
                 self.bind(value, &piece.tokens);
             } else {
                 self.keep(value, piece);
@@ -243,6 +293,37 @@ impl<'w, 'p> Body<'w, 'p> {
             _ => b,
         };
         apply(&self.number, operation, &a, &b, &c)
+    }
+
+    /// A sum with a product as one operation, if one of its terms is a product that nothing else uses.
+    fn fused_sum(
+        &self,
+        operation: Operation,
+        [a, b, _]: [Value; 3],
+        is_inner: impl Fn(Value) -> bool,
+    ) -> Option<Piece> {
+        let product = |value: Value| match self.writer.program.values.node(value) {
+            Node::Apply(Operation::Multiply, [x, y, _])
+                if is_inner(value) && self.piece(value).level == Level::Product =>
+            {
+                Some([x, y].map(|factor| self.piece(factor)))
+            }
+            _ => None,
+        };
+        let (sum, factors, name) = match (operation, product(a), product(b)) {
+            (Operation::Add, _, Some(factors)) => (self.piece(a), factors, "plus_product"),
+            (Operation::Add, Some(factors), None) => (self.piece(b), factors, "plus_product"),
+            (Operation::Subtract, _, Some(factors)) => (self.piece(a), factors, "minus_product"),
+            (Operation::Subtract, Some(factors), None) => {
+                let b = self.piece(b);
+                let minus = apply(&self.number, Operation::Negate, &b, &b, &b);
+                (minus, factors, "plus_product")
+            }
+            _ => return None,
+        };
+        // A plain number would be longer than what is saved.
+        let has_number = factors.iter().any(|factor| factor.constant.is_some());
+        (!has_number && sum.constant.is_none()).then(|| method(&sum, name, &factors))
     }
 
     /// Angles of which both sine and cosine are computed, and these.

@@ -1,5 +1,7 @@
 //! Functions of one coordinate: their closed forms, and the tables that give them near the start.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -7,7 +9,7 @@ use super::blocks::in_blocks;
 use super::body::{Body, Writer};
 use super::expression::{ident, unsuffixed};
 use crate::names::identifier;
-use crate::program::{Configuration, Program};
+use crate::program::{Configuration, Function, Program};
 use crate::schedule::moving_order;
 use crate::values::{Node, Value};
 
@@ -34,9 +36,13 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
             let name = ident(&function_name(program, configuration));
             let count = unsuffixed(configuration.leaves.len());
             let text = program.coordinate_text(configuration);
-            let doc = format!(
-                " What [`rhs`] needs that depends on `{text}` and params alone, in closed form."
-            );
+            let who = if configuration.rates < configuration.leaves.len() {
+                "[`rhs`], [`accept`] and [`closures`] need"
+            } else {
+                "[`rhs`] needs"
+            };
+            let doc =
+                format!(" What {who} that depends on `{text}` and params alone, in closed form.");
             let mut body = Body::of_configuration(writer);
             let argument = coordinate(program, configuration).map(|value| {
                 let wanted = body.wanted_name(value);
@@ -60,23 +66,47 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         .collect()
 }
 
-/// In `rhs`: names for the functions, from table or closed form.
-pub(super) fn tabulated(writer: &Writer<'_>, body: &mut Body<'_, '_>) {
+/// Names for the functions that `function` needs, from table or closed form.
+pub(super) fn tabulated(writer: &Writer<'_>, body: &mut Body<'_, '_>, function: &Function) {
     let program = writer.program;
+    let order = moving_order(&program.values, function.roots());
+    let operands = order
+        .iter()
+        .flat_map(|value| program.values.operands(*value));
+    let used: BTreeSet<Value> = operands.chain(function.roots()).collect();
     for configuration in &program.configurations {
-        let Some(coordinate) = coordinate(program, configuration) else {
+        let leaves = &configuration.leaves;
+        let is_used = |leaf: &Value| used.contains(leaf);
+        let (Some(coordinate), Some(first), Some(last)) = (
+            coordinate(program, configuration),
+            leaves.iter().position(is_used),
+            leaves.iter().rposition(is_used),
+        ) else {
             continue;
         };
         body.load(coordinate);
         let coordinate = body.piece(coordinate).tokens;
-        let names: Vec<_> = configuration
-            .leaves
-            .iter()
-            .map(|leaf| {
+        let mut names: Vec<TokenStream> = Vec::with_capacity(leaves.len());
+        if first > 0 {
+            names.push(quote!(..));
+        }
+        for (index, leaf) in (first..).zip(&leaves[first..=last]) {
+            if is_used(leaf) {
                 let wanted = body.wanted_name(*leaf);
-                ident(&body.name(*leaf, &wanted))
-            })
-            .collect();
+                let name = ident(&body.name(*leaf, &wanted));
+                names.push(quote!(#name));
+            } else {
+                names.push(quote!(_));
+            }
+            if index == last && last + 1 < leaves.len() {
+                // Only one `..` is allowed.
+                names.extend(if first > 0 {
+                    vec![quote!(_); leaves.len() - 1 - last]
+                } else {
+                    vec![quote!(..)]
+                });
+            }
+        }
         let table = ident(&table_field(program, configuration));
         let function = ident(&function_name(program, configuration));
         body.push(quote! {
@@ -132,8 +162,9 @@ pub(super) fn fits(writer: &Writer<'_>) -> TokenStream {
         let which = unsuffixed(coordinates.iter().position(is_own).unwrap_or(0));
         let function = ident(&function_name(program, configuration));
         let argument = ident(&identifier(program.coordinate_text(configuration)));
+        let rates = unsuffixed(configuration.rates);
         quote! {
-            prepared.#field = Table::fit(&prepared, &COORDINATES, #which, |#argument, d| {
+            prepared.#field = Table::fit(&prepared, &COORDINATES, #which, #rates, |#argument, d| {
                 #function(#argument, array(d), &prepared)
             });
         }

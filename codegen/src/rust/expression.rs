@@ -199,7 +199,7 @@ fn infix(a: &Piece, sign: TokenStream, b: &Piece, level: Level) -> Piece {
     }
 }
 
-fn method(receiver: &Piece, name: &str, arguments: &[Piece]) -> Piece {
+pub(super) fn method(receiver: &Piece, name: &str, arguments: &[Piece]) -> Piece {
     let on = receiver.at_least(Level::Atom);
     let name_ident = ident(name);
     let list = arguments.iter().map(|argument| &argument.tokens);

@@ -1,5 +1,7 @@
 //! The functions of time, state and inputs.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -9,6 +11,7 @@ use super::configuration;
 use super::expression::{ident, unsuffixed};
 use crate::program::Function;
 use crate::schedule::moving_order;
+use crate::values::{Node, Value};
 
 /// What a function takes besides the prepared values.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -29,11 +32,8 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
     ];
     let entries = n * n;
     let rhs = {
-        let mut body = Body::generic(writer);
-        configuration::tabulated(writer, &mut body);
-        assign(writer, &mut body, &program.rhs, "dx");
         let doc = "dx/dt. Where a loop cannot close, entries are not numbers.";
-        let body = in_blocks(body.finish());
+        let body = assignments_in(Body::fused(writer), writer, &program.compiled.rhs, "dx");
         signature(writer, "rhs", Takes::Everything, "dx", n, doc, &body)
     };
     let simple = [
@@ -67,7 +67,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         ),
         (
             "closures",
-            &program.closures,
+            &program.compiled.closures,
             l,
             "result",
             "For each loop a number that is positive where it closes and zero at a dead point.",
@@ -78,7 +78,7 @@ pub(super) fn functions(writer: &Writer<'_>) -> TokenStream {
         signature(writer, name, Takes::Everything, out, length, doc, &body)
     });
     let accepted = {
-        let body = assignments(writer, &program.accept, "result");
+        let body = assignments(writer, &program.compiled.accept, "result");
         signature(
             writer,
             "accept",
@@ -143,14 +143,38 @@ fn arguments(writer: &Writer<'_>, takes: Takes) -> TokenStream {
 
 /// Statements that compute a function's results and assign them to entries of `out`.
 fn assignments(writer: &Writer<'_>, function: &Function, out: &str) -> Vec<TokenStream> {
-    let mut body = Body::generic(writer);
+    assignments_in(Body::generic(writer), writer, function, out)
+}
+
+/// The same after what `body` has.
+fn assignments_in(
+    mut body: Body<'_, '_>,
+    writer: &Writer<'_>,
+    function: &Function,
+    out: &str,
+) -> Vec<TokenStream> {
+    configuration::tabulated(writer, &mut body, function);
     assign(writer, &mut body, function, out);
     in_blocks(body.finish())
 }
 
 fn assign(writer: &Writer<'_>, body: &mut Body<'_, '_>, function: &Function, out: &str) {
     let roots: Vec<_> = function.roots().collect();
-    let order = moving_order(&writer.program.values, roots.iter().copied());
+    let values = &writer.program.values;
+    let mut order = moving_order(values, roots.iter().copied());
+    // What needs no curve first: numbers stay in registers over fewer branches.
+    let mut behind: HashSet<Value> = HashSet::new();
+    for &value in &order {
+        let is_curve = matches!(values.node(value), Node::Curve(..));
+        if is_curve
+            || values
+                .operands(value)
+                .any(|operand| behind.contains(&operand))
+        {
+            behind.insert(value);
+        }
+    }
+    order.sort_by_key(|value| behind.contains(value));
     body.compute(&order, &roots);
     let out = ident(out);
     for (position, value) in &function.results {

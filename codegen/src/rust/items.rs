@@ -8,10 +8,11 @@ use quote::quote;
 
 use super::body::{Writer, table_name};
 use super::configuration;
+use super::curve;
 use super::expression::{ident, literal, unsuffixed};
 use crate::names::Namer;
 use crate::program::{Message, Program};
-use crate::schedule::prepared;
+use crate::schedule::prepared_compiled;
 
 /// Functions of `Params` that a set's name must leave alone.
 pub(super) const METHODS: [&str; 4] = ["default", "from_values", "prepare", "values"];
@@ -100,7 +101,7 @@ pub(super) fn params(writer: &Writer<'_>, prepare: &[TokenStream]) -> TokenStrea
 pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
     let program = writer.program;
     let [n, d] = [program.states.len(), program.discretes.len()].map(unsuffixed);
-    let values = prepared(program);
+    let values = prepared_compiled(program);
     let fields: Vec<_> = values
         .iter()
         .map(|value| ident(&writer.fields[value]))
@@ -117,11 +118,12 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
     let tables = configuration::fields(program);
     let mapped = configuration::mapped(program);
     let zipped = configuration::zipped(program);
-    let exact = if program.configurations.is_empty() {
+    let (curves, no_curves) = (curve::fields(writer), curve::none(writer));
+    let exact = if program.configurations.is_empty() && no_curves.is_empty() {
         quote!(self)
     } else {
         let none = configuration::no_tables(program);
-        quote!(Self { #none ..self })
+        quote!(Self { #none #no_curves ..self })
     };
     quote! {
         /// Everything that depends on params alone, as the functions of this module need it.
@@ -133,16 +135,18 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
             pub start_discretes: [T; #d],
             #(#[doc = #docs] pub #fields: T,)*
             #tables
+            #curves
         }
 
         impl<T: Copy> Prepared<T> {
-            /// The same with every number turned into another: for dual numbers or lanes.
+            /// The same with every number turned into another, without curves: for dual numbers or lanes.
             pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
                 Prepared {
                     start_states: self.start_states.map(&turn),
                     start_discretes: self.start_discretes.map(&turn),
                     #(#fields: turn(self.#fields),)*
                     #mapped
+                    #no_curves
                 }
             }
 
@@ -161,12 +165,13 @@ pub(super) fn prepared_type(writer: &Writer<'_>) -> TokenStream {
                     }),
                     #(#fields: join(self.#fields, other.#fields),)*
                     #zipped
+                    #no_curves
                 }
             }
         }
 
         impl Prepared<f64> {
-            /// The same without tables: functions of one coordinate in closed form everywhere.
+            /// The same without tables and curves: closed forms everywhere.
             pub fn exact(self) -> Self {
                 #exact
             }

@@ -3,8 +3,19 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::body::Writer;
+use super::curve;
+
 /// The implementation, by the functions that are generic over numbers anyway.
-pub(super) fn lane_system() -> TokenStream {
+pub(super) fn lane_system(writer: &Writer<'_>) -> TokenStream {
+    let fitted = curve::fitted(writer);
+    let alone = (!fitted.is_empty()).then(|| {
+        quote! {
+            fn alone<L: Lanes>(&self) -> Prepared<L> {
+                Prepared { #fitted ..self.map(L::from_f64) }
+            }
+        }
+    });
     let functions = [quote!(rhs), quote!(events), quote!(closures)];
     let in_lanes = [
         quote!(rhs_in_lanes),
@@ -18,6 +29,7 @@ pub(super) fn lane_system() -> TokenStream {
             fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
                 self.map(L::from_f64)
             }
+            #alone
             fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
                 *lanes = lanes.zip(self, |mut number: L, value: f64| {
                     number.set_entry(lane, value);

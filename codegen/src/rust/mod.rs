@@ -12,6 +12,7 @@
 mod blocks;
 mod body;
 mod configuration;
+mod curve;
 mod expression;
 mod function;
 mod items;
@@ -27,7 +28,7 @@ use quote::quote;
 
 use crate::names::{Described, Namer};
 use crate::program::Program;
-use crate::schedule::prepared;
+use crate::schedule::prepared_compiled;
 use crate::values::Value;
 use body::Writer;
 use expression::ident;
@@ -78,16 +79,17 @@ fn module(
         comments,
     };
     let writer = Writer {
-        fields: field_names(program, &writer.described),
+        fields: field_names(&writer),
         ..writer
     };
     let (prepare, messages) = prepare::prepare(&writer);
     let params = items::params(&writer, &prepare);
     let prepared = items::prepared_type(&writer);
     let configurations = configuration::functions(&writer);
+    let curves = curve::functions(&writer);
     let functions = function::functions(&writer);
     let system = system::system(&writer);
-    let lane_system = lane_system::lane_system();
+    let lane_system = lane_system::lane_system(&writer);
     let tables = items::tables(program, &messages, texts.equations, texts.latex);
     let name = ident(&module_name(&program.name));
     let doc = documentation(program);
@@ -105,11 +107,12 @@ fn module(
             use #runtime::newton;
             use #runtime::real::Real;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
-            use #runtime::table::{Table, TableReport};
+            use #runtime::table::{Curve, CurveReport, Table, TableReport};
 
             #params
             #prepared
             #configurations
+            #curves
             #functions
             #system
             #lane_system
@@ -163,13 +166,17 @@ fn param_names(program: &Program) -> Vec<String> {
 }
 
 /// Names of the fields of `Prepared`: the equations' own first, so that they stay as they are.
-fn field_names(program: &Program, described: &Described) -> HashMap<Value, String> {
+fn field_names(writer: &Writer<'_>) -> HashMap<Value, String> {
+    let (program, described) = (writer.program, &writer.described);
     let mut namer = Namer::without(&["start_states", "start_discretes"]);
     for configuration in &program.configurations {
         namer.name(&configuration::table_field(program, configuration));
     }
+    for index in 0..program.compiled.curves.len() {
+        namer.name(&curve::field_name(writer, index));
+    }
     let mut fields = HashMap::new();
-    let values = prepared(program);
+    let values = prepared_compiled(program);
     let is_named =
         |value: &Value| program.names.contains_key(value) || !program.values.is_computed(*value);
     let (own, others): (Vec<Value>, Vec<Value>) = values.into_iter().partition(is_named);

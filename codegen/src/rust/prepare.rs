@@ -5,10 +5,11 @@ use quote::quote;
 
 use super::body::{Body, Writer};
 use super::configuration;
+use super::curve;
 use super::expression::{ident, unsuffixed};
 use crate::names::unknown_names;
 use crate::program::{Message, Solve};
-use crate::schedule::{order, prepared};
+use crate::schedule::{order, prepared_compiled};
 use crate::values::Value;
 
 /// The statements of `prepare`, and the messages that they refer to.
@@ -18,7 +19,7 @@ pub(super) fn prepare(writer: &Writer<'_>) -> (Vec<TokenStream>, Vec<Message>) {
     let mut body = Body::prepare(writer);
     let mut messages = Vec::new();
 
-    let fields = prepared(program);
+    let fields = prepared_compiled(program);
     let roots: Vec<Value> = program.parameter_roots(&fields).collect();
     let everything = order(values, roots.iter().copied(), |_| true);
     for level in 0..=program.solves.len() {
@@ -74,6 +75,7 @@ pub(super) fn prepare(writer: &Writer<'_>) -> (Vec<TokenStream>, Vec<Message>) {
         .iter()
         .map(|v| body.number_tokens(*v));
     let none = configuration::no_tables(program);
+    let wanted = curve::wanted(writer);
     let fits = configuration::fits(writer);
     let mutable = (!program.configurations.is_empty()).then(|| quote!(mut));
     let prepared = quote! {
@@ -82,6 +84,7 @@ pub(super) fn prepare(writer: &Writer<'_>) -> (Vec<TokenStream>, Vec<Message>) {
             start_discretes: [#(#discretes),*],
             #(#assignments,)*
             #none
+            #wanted
         };
         check_start(prepared.states(), &prepared.start_states)?;
         check_start(prepared.discretes(), &prepared.start_discretes)?;

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::body::Writer;
 use super::configuration;
+use super::curve;
 use super::expression::unsuffixed;
 
 /// The implementation.
@@ -25,6 +26,7 @@ pub(super) fn system(writer: &Writer<'_>) -> TokenStream {
             Some(quote!(#index => EventAction::Stop(Cow::Borrowed(#reason)),))
         });
     let tables = configuration::of_system(program);
+    let curves = curve::of_system(writer);
     quote! {
         impl System for Prepared<f64> {
             fn states(&self) -> &[Variable] {
@@ -114,6 +116,7 @@ pub(super) fn system(writer: &Writer<'_>) -> TokenStream {
                 NAMES[index]
             }
             #tables
+            #curves
         }
     }
 }

@@ -23,7 +23,7 @@ pub mod andrews {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -712,6 +712,7 @@ pub mod andrews {
                 &prepared,
                 &COORDINATES,
                 0,
+                2,
                 |β, d| { functions_of_β(β, array(d), &prepared) },
             );
             Ok(prepared)
@@ -895,10 +896,10 @@ pub mod andrews {
         /// `0.25 / (zf * zf * u * u)`
         pub constant6: T,
         /// [`functions_of_β`] near the start.
-        pub table_of_β: Table<T, 2>,
+        pub table_of_β: Table<T, 11>,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -1103,7 +1104,7 @@ pub mod andrews {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_β: Table::none(),
@@ -1111,10 +1112,15 @@ pub mod andrews {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `β` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `β` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_β<T: Real>(β: T, d: &[T; 6], p: &Prepared<T>) -> [T; 2] {
+    pub fn functions_of_β<T: Real>(β: T, d: &[T; 6], p: &Prepared<T>) -> [T; 11] {
+        let turn_coupler = d[0];
         let turn_lever = d[1];
+        let turn_upper = d[2];
+        let turn_upper_arm = d[3];
+        let turn_lower = d[4];
+        let turn_lower_arm = d[5];
         let (sin_β, cos_β) = β.sin_cos();
         let Y1 = p.yb - p.rr * sin_β;
         // vector that is left to close crank–coupler–lever
@@ -1124,9 +1130,8 @@ pub mod andrews {
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let Y1_κ1 = Y1 * κ1;
-        let t1 = per_D1
-            * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_ε1 * t1;
+        let t1 = (D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared);
+        let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
         let X1_η1 = X1 * η1;
         let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
         let X1_κ1 = X1 * κ1;
@@ -1152,9 +1157,8 @@ pub mod andrews {
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t4 = per_D2
-            * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_ε2 * t4;
+        let t4 = (D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared);
+        let η2 = p.half_ε2 * (per_D2 * (-t4).sqrt());
         let X2_η2 = X2 * η2;
         let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
         let X2_κ2 = X2 * κ2;
@@ -1176,9 +1180,8 @@ pub mod andrews {
             + p.C4 * (ω_δ * ω_δ);
         let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
         let Y2_κ3 = Y2 * κ3;
-        let t7 = per_D2
-            * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t7;
+        let t7 = (D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared);
+        let η3 = p.half_ε3 * (per_D2 * (-t7).sqrt());
         let X2_η3 = X2 * η3;
         let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
         let X2_κ3 = X2 * κ3;
@@ -1291,7 +1294,35 @@ pub mod andrews {
         let t31 = p.C9 * (ω3 * sin_φ3_minus_φ6 * ω6 * ω3_minus_ω6)
             - (t30 + p.C9 * (ω3 * ω6_prime * cos_φ3_minus_φ6));
         let ddβ_per_dβ_squared = per_A * (t31 * 0.5);
-        [ddβ_of_β, ddβ_per_dβ_squared]
+        let t32 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
+        // angle of `coupler` from the assembled one
+        let φ2_minus_φ2_0 = t32.unwrap_to(turn_coupler);
+        let t33 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
+        // angle of `upper` from the assembled one
+        let φ4_minus_φ4_0 = t33.unwrap_to(turn_upper);
+        let t34 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
+            .atan2(p.c_δ_0 * c_δ + p.s_δ_0 * s_δ);
+        // angle of `upper_arm` from the assembled one
+        let δ_minus_δ_0 = t34.unwrap_to(turn_upper_arm);
+        let t35 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
+        // angle of `lower` from the assembled one
+        let φ6_minus_φ6_0 = t35.unwrap_to(turn_lower);
+        let t36 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
+        // angle of `lower_arm` from the assembled one
+        let φ7_minus_φ7_0 = t36.unwrap_to(turn_lower_arm);
+        [
+            ddβ_of_β,
+            ddβ_per_dβ_squared,
+            φ3_minus_φ3_0,
+            φ2_minus_φ2_0,
+            φ4_minus_φ4_0,
+            δ_minus_δ_0,
+            φ6_minus_φ6_0,
+            φ7_minus_φ7_0,
+            -(p.constant4 * t1),
+            -(p.constant5 * t4),
+            -(p.constant6 * t7),
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -1305,13 +1336,13 @@ pub mod andrews {
     ) {
         let β = x[0];
         let dβ = x[1];
-        let [ddβ_of_β, ddβ_per_dβ_squared] = if p.table_of_β.covers(β) {
+        let [ddβ_of_β, ddβ_per_dβ_squared, ..] = if p.table_of_β.covers(β) {
             p.table_of_β.polynomials(β)
         } else {
             p.table_of_β.where_covered(β, functions_of_β(β, d, p))
         };
         // ── state ──
-        let ddβ = ddβ_of_β + ddβ_per_dβ_squared * (dβ * dβ);
+        let ddβ = ddβ_of_β.plus_product(ddβ_per_dβ_squared, dβ * dβ);
         dx[0] = dβ;
         dx[1] = ddβ;
     }
@@ -1952,30 +1983,14 @@ pub mod andrews {
         result: &mut [T; 3],
     ) {
         let β = x[0];
-        // ── configuration ──
-        let (sin_β, cos_β) = β.sin_cos();
-        // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - p.rr * cos_β;
-        let Y1 = p.yb - p.rr * sin_β;
-        // its length squared
-        let D1 = X1 * X1 + Y1 * Y1;
-        let t1 = (D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared);
-        let per_D1 = D1.recip();
-        let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
-        let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
-        // vector that is left to close lever–upper–upper_arm
-        let X2 = p.xa_minus_xb + p.ss * (p.per_ss * (X1 - X1 * κ1 + Y1 * η1));
-        let s3 = p.per_ss * (Y1 * κ1 - Y1 + X1 * η1);
-        let Y2 = p.ya_minus_yb - p.ss * s3;
-        // its length squared
-        let D2 = X2 * X2 + Y2 * Y2;
-        let t2 = p.constant5
-            * ((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared));
-        let t3 = p.constant6
-            * ((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared));
-        result[0] = -(p.constant4 * t1);
-        result[1] = -t2;
-        result[2] = -t3;
+        let [.., t1, t2, t3] = if p.table_of_β.covers(β) {
+            p.table_of_β.polynomials(β)
+        } else {
+            p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+        };
+        result[0] = t1;
+        result[1] = t2;
+        result[2] = t3;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -1988,82 +2003,12 @@ pub mod andrews {
         result: &mut [T; 6],
     ) {
         let β = x[0];
-        let turn_coupler = d[0];
-        let turn_lever = d[1];
-        let turn_upper = d[2];
-        let turn_upper_arm = d[3];
-        let turn_lower = d[4];
-        let turn_lower_arm = d[5];
-        // ── configuration ──
-        let (sin_β, cos_β) = β.sin_cos();
-        let Y1 = p.yb - p.rr * sin_β;
-        // vector that is left to close crank–coupler–lever
-        let X1 = p.xb - p.rr * cos_β;
-        // its length squared
-        let D1 = X1 * X1 + Y1 * Y1;
-        let per_D1 = D1.recip();
-        let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
-        let Y1_κ1 = Y1 * κ1;
-        let t1 = per_D1
-            * (-((D1 - p.d_minus_ss_squared) * (D1 - p.d_plus_ss_squared))).sqrt();
-        let η1 = p.half_ε1 * t1;
-        let X1_η1 = X1 * η1;
-        let s2 = -(p.per_d * (Y1_κ1 + X1_η1));
-        let X1_κ1 = X1 * κ1;
-        let Y1_η1 = Y1 * η1;
-        let c2 = -(p.per_d * (X1_κ1 - Y1_η1));
-        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
-        // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let s3 = p.per_ss * (Y1_κ1 - Y1 + X1_η1);
-        let t3 = p.per_ss * (X1 - X1_κ1 + Y1_η1);
-        let c3 = -t3;
-        let t4 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `lever` from the assembled one
-        let φ3_minus_φ3_0 = t4.unwrap_to(turn_lever);
-        let Y2 = p.ya_minus_yb - p.ss * s3;
-        // vector that is left to close lever–upper–upper_arm
-        let X2 = p.xa_minus_xb + p.ss * t3;
-        // its length squared
-        let D2 = X2 * X2 + Y2 * Y2;
-        let per_D2 = D2.recip();
-        let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
-        let Y2_κ2 = Y2 * κ2;
-        let t5 = per_D2
-            * (-((D2 - p.e_minus_zt_squared) * (D2 - p.e_plus_zt_squared))).sqrt();
-        let η2 = p.half_ε2 * t5;
-        let X2_η2 = X2 * η2;
-        let s4 = -(p.per_e * (Y2_κ2 + X2_η2));
-        let X2_κ2 = X2 * κ2;
-        let Y2_η2 = Y2 * η2;
-        let c4 = -(p.per_e * (X2_κ2 - Y2_η2));
-        let t6 = (p.c4_0 * s4 - p.s4_0 * c4).atan2(p.c4_0 * c4 + p.s4_0 * s4);
-        // angle of `upper` from the assembled one
-        let φ4_minus_φ4_0 = t6.unwrap_to(turn_upper);
-        let s_δ = p.per_zt * (Y2_κ2 - Y2 + X2_η2);
-        let c_δ = -(p.per_zt * (X2 - X2_κ2 + Y2_η2));
-        let t7 = (p.c_δ_0 * s_δ - p.s_δ_0 * c_δ)
-            .atan2(p.c_δ_0 * c_δ + p.s_δ_0 * s_δ);
-        // angle of `upper_arm` from the assembled one
-        let δ_minus_δ_0 = t7.unwrap_to(turn_upper_arm);
-        let κ3 = per_D2 * (p.constant3 + D2) * 0.5;
-        let Y2_κ3 = Y2 * κ3;
-        let t8 = per_D2
-            * (-((D2 - p.zf_minus_u_squared) * (D2 - p.zf_plus_u_squared))).sqrt();
-        let η3 = p.half_ε3 * t8;
-        let X2_η3 = X2 * η3;
-        let s6 = -(p.per_zf * (Y2_κ3 + X2_η3));
-        let X2_κ3 = X2 * κ3;
-        let Y2_η3 = Y2 * η3;
-        let c6 = -(p.per_zf * (X2_κ3 - Y2_η3));
-        let t9 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
-        // angle of `lower` from the assembled one
-        let φ6_minus_φ6_0 = t9.unwrap_to(turn_lower);
-        let s7 = p.per_u * (Y2_κ3 - Y2 + X2_η3);
-        let c7 = -(p.per_u * (X2 - X2_κ3 + Y2_η3));
-        let t10 = (p.c7_0 * s7 - p.s7_0 * c7).atan2(p.c7_0 * c7 + p.s7_0 * s7);
-        // angle of `lower_arm` from the assembled one
-        let φ7_minus_φ7_0 = t10.unwrap_to(turn_lower_arm);
+        let [.., φ3_minus_φ3_0, φ2_minus_φ2_0, φ4_minus_φ4_0, δ_minus_δ_0,
+        φ6_minus_φ6_0, φ7_minus_φ7_0, _, _, _] = if p.table_of_β.covers(β) {
+            p.table_of_β.polynomials(β)
+        } else {
+            p.table_of_β.where_covered(β, functions_of_β(β, d, p))
+        };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
         result[2] = φ4_minus_φ4_0;

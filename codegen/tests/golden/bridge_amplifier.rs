@@ -20,7 +20,7 @@ pub mod bridge_amplifier {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -232,6 +232,7 @@ pub mod bridge_amplifier {
                 half_k: k * 0.5,
                 half_ks: ks * 0.5,
                 per_l_squared: l_squared.recip(),
+                ks_stroke: ks * stroke,
                 table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -240,6 +241,7 @@ pub mod bridge_amplifier {
                 &prepared,
                 &COORDINATES,
                 0,
+                6,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -314,11 +316,13 @@ pub mod bridge_amplifier {
         pub half_ks: T,
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
+        /// `ks * stroke`
+        pub ks_stroke: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 6>,
+        pub table_of_φ1: Table<T, 8>,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -354,6 +358,7 @@ pub mod bridge_amplifier {
                 half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
                 per_l_squared: turn(self.per_l_squared),
+                ks_stroke: turn(self.ks_stroke),
                 table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
@@ -401,12 +406,13 @@ pub mod bridge_amplifier {
                 half_k: join(self.half_k, other.half_k),
                 half_ks: join(self.half_ks, other.half_ks),
                 per_l_squared: join(self.per_l_squared, other.per_l_squared),
+                ks_stroke: join(self.ks_stroke, other.ks_stroke),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
@@ -414,23 +420,24 @@ pub mod bridge_amplifier {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 1], p: &Prepared<T>) -> [T; 6] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 1], p: &Prepared<T>) -> [T; 8] {
         let turn_upper_left = d[0];
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
         let A_x = p.l * cos_φ1;
         // vector that is left to close lower_left–upper_left–table
         let X1 = -A_x;
+        let t1 = p.l_squared - X1 * X1;
         let l_sin_φ1 = p.l * sin_φ1;
-        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
-        let t1 = p.per_l * (x_table - l_sin_φ1);
-        let s3 = -t1;
+        let x_table = p.ε1 * t1.sqrt() + l_sin_φ1;
+        let t2 = p.per_l * (x_table - l_sin_φ1);
+        let s3 = -t2;
         let per_l_X1 = p.per_l * X1;
         let c3 = -per_l_X1;
-        let t2 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
+        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
         // angle of `upper_left` from the assembled one
-        let φ3_minus_φ3_0 = t2.unwrap_to(turn_upper_left);
+        let φ3_minus_φ3_0 = t3.unwrap_to(turn_upper_left);
         // angle of `upper_left`
         let φ3 = p.φ3_0 + φ3_minus_φ3_0;
         let half_φ3_0_plus_φ3 = (p.φ3_0 + φ3) * 0.5;
@@ -455,23 +462,23 @@ pub mod bridge_amplifier {
         let Δy_piezo = δy_piezo - p.constant2;
         // length of `piezo`
         let L_piezo = (Δx_piezo * Δx_piezo + Δy_piezo * Δy_piezo).sqrt();
-        let t3 = t1.recip();
-        let t4 = sin_φ1 * t3;
+        let t4 = t2.recip();
+        let t5 = sin_φ1 * t4;
         // rate of the angle of `upper_left` per unit rate of `lower_left`
-        let ω3 = -t4;
-        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t1 * ω3);
-        let t5 = Δx_piezo * dδx_piezo_dφ1
+        let ω3 = -t5;
+        let dδx_piezo_dφ1 = l_sin_φ1 - p.l * (t2 * ω3);
+        let t6 = Δx_piezo * dδx_piezo_dφ1
             - Δy_piezo * (A_x - p.l * (ω3 * per_l_X1));
         // lever of `piezo`: change of its length
-        let dL_piezo_dφ1 = L_piezo.recip() * t5;
-        let t6 = δx_piezo * (Δx_piezo - p.constant1)
+        let dL_piezo_dφ1 = L_piezo.recip() * t6;
+        let t7 = δx_piezo * (Δx_piezo - p.constant1)
             + δy_piezo * (Δy_piezo - p.constant2);
         // extension of `piezo`
-        let e_piezo = t6 * (p.L_piezo_0 + L_piezo).recip();
+        let e_piezo = t7 * (p.L_piezo_0 + L_piezo).recip();
         let ω3_squared = ω3 * ω3;
         let sin_φ1_minus_φ3 = sin_φ1 * c3 - cos_φ1 * s3;
         // rate of the position of `table` per unit rate of `lower_left`
-        let ν_table = p.l * (t3 * sin_φ1_minus_φ3);
+        let ν_table = p.l * (t4 * sin_φ1_minus_φ3);
         let cos_φ1_minus_φ3 = cos_φ1 * c3 + sin_φ1 * s3;
         // inertia
         let A = p.C0 + p.C1 * ω3_squared + p.mo * (ν_table * ν_table)
@@ -482,16 +489,16 @@ pub mod bridge_amplifier {
         let dP_s_dφ1 = p.two_k * φ1_minus_φ1_0 + p.two_k * (φ3_minus_φ3_0 * ω3)
             + p.two_k * (ω3_minus_one * (φ1_0_minus_φ1 + φ3_minus_φ3_0));
         let ddφ1_per_F_piezo = per_A * dL_piezo_dφ1;
-        let t7 = -(p.two_c + p.two_c * ω3_squared)
-            - p.two_c * (ω3_minus_one * (T::from_f64(-1.0) - t4));
-        let ddφ1_per_dφ1 = per_A * t7;
-        let ω3_prime = -(p.per_l * (t3 * (A_x + p.l * (ω3_squared * per_l_X1))));
-        let t8 = t3
+        let t8 = -(p.two_c + p.two_c * ω3_squared)
+            - p.two_c * (ω3_minus_one * (T::from_f64(-1.0) - t5));
+        let ddφ1_per_dφ1 = per_A * t8;
+        let ω3_prime = -(p.per_l * (t4 * (A_x + p.l * (ω3_squared * per_l_X1))));
+        let t9 = t4
             * (p.l * (cos_φ1_minus_φ3 * ω3_minus_one) + ω3 * ν_table * per_l_X1);
-        let ν_table_prime = -t8;
-        let t9 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
+        let ν_table_prime = -t9;
+        let t10 = p.two_C1 * (ω3 * ω3_prime) + p.two_mo * (ν_table * ν_table_prime);
         // slope of the inertia
-        let dA_dφ1 = t9 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
+        let dA_dφ1 = t10 + p.C2 * (ω3_prime * cos_φ1_minus_φ3)
             + p.C2 * (sin_φ1_minus_φ3 * ω3 * ω3_minus_one);
         let ddφ1_per_dφ1_squared = per_A * -(dA_dφ1 * 0.5);
         [
@@ -501,6 +508,8 @@ pub mod bridge_amplifier {
             ddφ1_per_F_piezo,
             ddφ1_per_dφ1,
             ddφ1_per_dφ1_squared,
+            φ3_minus_φ3_0,
+            p.per_l_squared * t1,
         ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
@@ -516,23 +525,25 @@ pub mod bridge_amplifier {
         let φ1 = x[0];
         let dφ1 = x[1];
         let [dL_piezo_dφ1, e_piezo, per_A_dP_s_dφ1, ddφ1_per_F_piezo, ddφ1_per_dφ1,
-        ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+        ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
         };
         // ── state ──
-        let t1 = p.constant3 * t;
-        let (t2, t3) = t1.sin_cos();
-        // drive `extension`
-        let extension = p.stroke * t2;
+        let t1 = (-per_A_dP_s_dφ1)
+            .plus_product(ddφ1_per_dφ1, dφ1)
+            .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
+        let t2 = p.constant3 * t;
+        let (t3, t4) = t2.sin_cos();
         // rate of the drive `extension`
-        let d_extension_dt = p.constant4 * t3;
-        // force of `piezo` on its second end
-        let F_piezo = p.ks * (extension - e_piezo)
-            + p.cs * (d_extension_dt - dL_piezo_dφ1 * dφ1);
-        let ddφ1 = ddφ1_per_F_piezo * F_piezo - per_A_dP_s_dφ1 + ddφ1_per_dφ1 * dφ1
-            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
+        let d_extension_dt = p.constant4 * t4;
+        // force of `piezo` on its second end, without what is known last
+        let F_piezo_so_far = (p.ks * -e_piezo)
+            .plus_product(p.cs, d_extension_dt.minus_product(dL_piezo_dφ1, dφ1));
+        let ddφ1 = t1
+            .plus_product(ddφ1_per_F_piezo * p.ks_stroke, t3)
+            .plus_product(ddφ1_per_F_piezo, F_piezo_so_far);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -843,11 +854,12 @@ pub mod bridge_amplifier {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let A_x = p.l * φ1.cos();
-        // vector that is left to close lower_left–upper_left–table
-        let X1 = -A_x;
-        result[0] = p.per_l_squared * (p.l_squared - X1 * X1);
+        let [.., t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -860,19 +872,11 @@ pub mod bridge_amplifier {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        let turn_upper_left = d[0];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let A_x = p.l * cos_φ1;
-        // vector that is left to close lower_left–upper_left–table
-        let X1 = -A_x;
-        let l_sin_φ1 = p.l * sin_φ1;
-        let x_table = p.ε1 * (p.l_squared - X1 * X1).sqrt() + l_sin_φ1;
-        let s3 = -(p.per_l * (x_table - l_sin_φ1));
-        let c3 = -(p.per_l * X1);
-        let t1 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `upper_left` from the assembled one
-        let φ3_minus_φ3_0 = t1.unwrap_to(turn_upper_left);
+        let [.., φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[0] = φ3_minus_φ3_0;
     }
     /// Time in s of each drive's next kink.

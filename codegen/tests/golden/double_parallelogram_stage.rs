@@ -22,7 +22,7 @@ pub mod double_parallelogram_stage {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -239,7 +239,7 @@ pub mod double_parallelogram_stage {
         pub two_k: T,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -291,7 +291,7 @@ pub mod double_parallelogram_stage {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             self
         }
@@ -328,16 +328,30 @@ pub mod double_parallelogram_stage {
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * (φ2 + 1.5707963267948966);
         // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
+        let l_push_sin_φ1 = p.l_push * sin_φ1;
+        let l_push_sin_φ2 = p.l_push * sin_φ2;
         // ── state ──
-        let t1 = (p.constant1 * t).sin();
         // centrifugal and Coriolis terms
         let h1 = dM12_dφ2 * (dφ2 * dφ2);
-        let t2 = dP_s_dφ1 + p.l_push * sin_φ1 * t1 + h1;
+        let dP_s_dφ1_plus_h1 = dP_s_dφ1 + h1;
         // centrifugal and Coriolis terms
         let h2 = dM12_dφ1 * (dφ1 * dφ1);
-        let t3 = dP_s_dφ2 + p.l_push * sin_φ2 * t1 + h2;
-        let ddφ1 = -(per_det_M * (p.C1 * t2 - M12 * t3));
-        let ddφ2 = -(per_det_M * (p.C0 * t3 - M12 * t2));
+        let dP_s_dφ2_plus_h2 = dP_s_dφ2 + h2;
+        let t1 = per_det_M
+            * (p.C1 * dP_s_dφ1_plus_h1).minus_product(M12, dP_s_dφ2_plus_h2);
+        let t2 = (p.constant1 * t).sin();
+        let ddφ1 = (-t1)
+            .minus_product(
+                per_det_M * (p.C1 * l_push_sin_φ1 - M12 * l_push_sin_φ2),
+                t2,
+            );
+        let t3 = per_det_M
+            * (p.C0 * dP_s_dφ2_plus_h2).minus_product(M12, dP_s_dφ1_plus_h1);
+        let ddφ2 = (-t3)
+            .minus_product(
+                per_det_M * (p.C0 * l_push_sin_φ2 - M12 * l_push_sin_φ1),
+                t2,
+            );
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;

@@ -29,7 +29,7 @@ pub mod double_rocker {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -534,6 +534,7 @@ pub mod double_rocker {
                 constant6: one_minus_rise.if_positive(1.0, t7),
                 constant7: 0.25 / l2_squared_l3_squared,
                 table_of_φ1: Table::none(),
+                curve_of_per_g_v: Curve::wanted(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -541,6 +542,7 @@ pub mod double_rocker {
                 &prepared,
                 &COORDINATES,
                 0,
+                6,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -694,10 +696,12 @@ pub mod double_rocker {
         /// `0.25 / (l2 * l2 * l3 * l3)`
         pub constant7: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 6>,
+        pub table_of_φ1: Table<T, 9>,
+        /// [`per_g_v_of_v`] for a trajectory alone; fitted by `LaneSystem::alone`.
+        pub curve_of_per_g_v: Curve,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -773,6 +777,7 @@ pub mod double_rocker {
                 constant6: turn(self.constant6),
                 constant7: turn(self.constant7),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+                curve_of_per_g_v: Curve::none(),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -871,21 +876,23 @@ pub mod double_rocker {
                 constant6: join(self.constant6, other.constant6),
                 constant7: join(self.constant7, other.constant7),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
+                curve_of_per_g_v: Curve::none(),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
+                curve_of_per_g_v: Curve::none(),
                 ..self
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 6] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 9] {
         let turn_coupler = d[0];
         let turn_rocker = d[1];
         let t1 = φ1 - 1.3962634015954636;
@@ -903,9 +910,8 @@ pub mod double_rocker {
         let per_D = D.recip();
         let κ = per_D * (p.constant1 + D) * 0.5;
         let Y_κ = Y * κ;
-        let t2 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t2;
+        let t2 = (D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared);
+        let η = p.half_ε * (per_D * (-t2).sqrt());
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -974,7 +980,19 @@ pub mod double_rocker {
             ddφ1_per_F_joint,
             ddφ1_per_F_f,
             ddφ1_per_dφ1_squared,
+            φ2_minus_φ2_0,
+            φ3_minus_φ3_0,
+            -(p.constant7 * t2),
         ]
+    }
+    /// `per_g_v`, which depends on `v` and params alone, in closed form.
+    #[inline(always)]
+    pub fn per_g_v_of_v<T: Real>(v: T, p: &Prepared<T>) -> T {
+        let t1 = p
+            .F_C
+            .plus_product(p.F_S_minus_F_C, (-(p.per_v_s_squared * (v * v))).exp());
+        let g_v = p.per_sigma0 * t1;
+        g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -995,7 +1013,7 @@ pub mod double_rocker {
         let xp_cycle = d[2];
         let xp_falling = d[3];
         let [x_A, dv_ddφ1, ddφ1_of_φ1, ddφ1_per_F_joint, ddφ1_per_F_f,
-        ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+        ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
@@ -1004,15 +1022,16 @@ pub mod double_rocker {
         // force of `joint` on its second end
         let F_joint = p.ku * (x_stack - x_A);
         // ── state ──
+        let t1 = (ddφ1_of_φ1 + ddφ1_per_F_joint * F_joint)
+            .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         // slip velocity of `tip`
-        let v = dv_ddφ1 * dφ1 - dx_stage;
-        let g_v = p.per_sigma0
-            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
-        let ż = v - z * v.abs() * g_v.recip();
-        // friction force of `tip` on its second end
-        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
-        let ddφ1 = ddφ1_of_φ1 + ddφ1_per_F_joint * F_joint + ddφ1_per_F_f * F_f
-            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
+        let v = (-dx_stage).plus_product(dv_ddφ1, dφ1);
+        // friction force of `tip` on its second end, without what is known last
+        let F_f_so_far = (p.sigma0 * z)
+            .plus_product(p.sigma1, v)
+            .plus_product(p.sigma2, v);
+        let z_abs_v = z * v.abs();
+        let sigma1_z_abs_v = p.sigma1 * z_abs_v;
         let xp_falling_minus_half = xp_falling - 0.5;
         let f_t = p.f * t;
         // drive `xp`
@@ -1024,11 +1043,20 @@ pub mod double_rocker {
         // rate of the drive `xp`
         let dxp = xp_falling_minus_half.if_positive(p.constant3, p.stroke_f_per_rise);
         // force of `ceramic` on its second end
-        let F_ceramic = p.kp * (xp - x_stack) - p.cp * (dx_stack - dxp);
+        let F_ceramic = (p.kp * (xp - x_stack)).minus_product(p.cp, dx_stack - dxp);
         // generalized force of all other forces
         let Q_stack = F_ceramic - F_joint;
         let ddx_stack = p.per_mp * Q_stack;
-        let ddx_stage = p.per_ms * F_f;
+        let per_g_v = match p.curve_of_per_g_v.at(v) {
+            Some(value) => value,
+            None => per_g_v_of_v(v, p),
+        };
+        let ddφ1 = t1
+            .plus_product(ddφ1_per_F_f, F_f_so_far)
+            .minus_product(ddφ1_per_F_f * sigma1_z_abs_v, per_g_v);
+        let ddx_stage = (p.per_ms * F_f_so_far)
+            .minus_product(p.per_ms * sigma1_z_abs_v, per_g_v);
+        let ż = v.minus_product(z_abs_v, per_g_v);
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dx_stack;
@@ -1444,16 +1472,12 @@ pub mod double_rocker {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - p.l1 * cos_φ1;
-        let Y = -(p.l1 * sin_φ1);
-        // its length squared
-        let D = X * X + Y * Y;
-        let t1 = p.constant7
-            * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
-        result[0] = -t1;
+        let [.., t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -1466,35 +1490,11 @@ pub mod double_rocker {
         result: &mut [T; 4],
     ) {
         let φ1 = x[0];
-        let turn_coupler = d[0];
-        let turn_rocker = d[1];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let l1_sin_φ1 = p.l1 * sin_φ1;
-        let Y = -l1_sin_φ1;
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - p.l1 * cos_φ1;
-        // its length squared
-        let D = X * X + Y * Y;
-        let per_D = D.recip();
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let Y_κ = Y * κ;
-        let t1 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t1;
-        let X_η = X * η;
-        let s2 = p.per_l2 * (Y_κ + X_η);
-        let X_κ = X * κ;
-        let Y_η = Y * η;
-        let c2 = p.per_l2 * (X_κ - Y_η);
-        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
-        // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
-        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
+        let [.., φ2_minus_φ2_0, φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
     }
@@ -1644,11 +1644,24 @@ pub mod double_rocker {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn curves(&self) -> Vec<(&str, CurveReport)> {
+            let alone: Prepared<f64> = self.alone();
+            let rows = [("v", alone.curve_of_per_g_v.report())].into_iter();
+            rows.filter_map(|(name, report)| Some((name, report?))).collect()
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
+        }
+        fn alone<L: Lanes>(&self) -> Prepared<L> {
+            Prepared {
+                curve_of_per_g_v: self
+                    .curve_of_per_g_v
+                    .fitted(|argument| per_g_v_of_v(argument, self)),
+                ..self.map(L::from_f64)
+            }
         }
         fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
             *lanes = lanes

@@ -19,7 +19,7 @@ pub mod five_bar {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -352,7 +352,7 @@ pub mod five_bar {
         pub constant2: T,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -440,7 +440,7 @@ pub mod five_bar {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             self
         }
@@ -528,10 +528,9 @@ pub mod five_bar {
         let t10 = φ3_minus_φ3_0 - φ4_minus_φ4_0;
         // slope of the potential energy of springs
         let dP_s_dφ1 = t8 + p.k * (t9 * t10);
-        let ω4_2_minus_one = ω4_2 - 1.0;
-        let ω3_2_minus_ω4_2 = ω3_2 - ω4_2;
         let cos_φ1_minus_φ4 = cos_φ1 * c4 + sin_φ1 * s4;
         let cos_φ3_minus_φ4 = c3 * c4 + s3 * s4;
+        let ω3_2_minus_ω4_2 = ω3_2 - ω4_2;
         let t11 = p.l1 * (ω4_2 * cos_φ1_minus_φ4)
             - p.l2 * (ω3_1 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
         let dω3_1_dφ2 = p.per_l2 * (per_sin_φ3_minus_φ4 * t11);
@@ -565,6 +564,7 @@ pub mod five_bar {
         let ω4_1_sin_φ2_minus_φ4 = ω4_1 * sin_φ2_minus_φ4;
         // slope of the inertia
         let dM22_dφ1 = t19 + p.C5 * (ω4_1_sin_φ2_minus_φ4 * ω4_2);
+        let ω4_2_minus_one = ω4_2 - 1.0;
         let t20 = p.l1 * (cos_φ2_minus_φ4 * ω4_2_minus_one)
             + p.l2 * (ω3_2 * cos_φ3_minus_φ4 * ω3_2_minus_ω4_2);
         let dω3_2_dφ2 = -(p.per_l2 * (per_sin_φ3_minus_φ4 * t20));
@@ -598,29 +598,38 @@ pub mod five_bar {
         // ── state ──
         let t30 = p.constant1 * t;
         let (t31, t32) = t30.sin_cos();
-        let t33 = ω3_1_minus_one * dφ1 + ω3_2 * dφ2;
-        let t34 = p.left_torque * t31 - p.c * dφ1 - p.c * ω3_1_minus_one * t33;
-        let t35 = ω4_1 * dφ1 + ω4_2_minus_one * dφ2;
-        let t36 = t9 * dφ1 + ω3_2_minus_ω4_2 * dφ2;
-        // generalized torque of all other forces
-        let τ1 = t34 - p.c * ω4_1 * t35 - p.c * t9 * t36;
         let dφ1_dφ2 = dφ1 * dφ2;
         let dφ1_squared = dφ1 * dφ1;
         let dφ2_squared = dφ2 * dφ2;
         // centrifugal and Coriolis terms
-        let h1 = dM11_dφ2 * dφ1_dφ2 + dM11_dφ1 * 0.5 * dφ1_squared
-            - (dM22_dφ1 * 0.5 - dM12_dφ2) * dφ2_squared;
-        let t37 = dP_s_dφ1 - τ1 + h1;
-        let t38 = p.right_torque * t32 - p.c * dφ2 - p.c * ω3_2 * t33
-            - p.c * ω4_2_minus_one * t35;
-        // generalized torque of all other forces
-        let τ2 = t38 - p.c * ω3_2_minus_ω4_2 * t36;
+        let h1 = (dM11_dφ2 * dφ1_dφ2)
+            .plus_product(dM11_dφ1 * 0.5, dφ1_squared)
+            .minus_product(dM22_dφ1 * 0.5 - dM12_dφ2, dφ2_squared);
+        let t33 = (ω3_1_minus_one * dφ1).plus_product(ω3_2, dφ2);
+        let t34 = (ω4_1 * dφ1).plus_product(ω4_2_minus_one, dφ2);
+        let t35 = (-(p.c * dφ1))
+            .minus_product(p.c * ω3_1_minus_one, t33)
+            .minus_product(p.c * ω4_1, t34);
+        let t36 = (t9 * dφ1).plus_product(ω3_2_minus_ω4_2, dφ2);
+        // generalized torque of all other forces, without what is known last
+        let τ1_so_far = t35.minus_product(p.c * t9, t36);
+        let t37 = dP_s_dφ1 + h1 - τ1_so_far;
+        let t38 = ((dM12_dφ1 - dM11_dφ2 * 0.5) * dφ1_squared)
+            .plus_product(dM22_dφ1, dφ1_dφ2);
         // centrifugal and Coriolis terms
-        let h2 = (dM12_dφ1 - dM11_dφ2 * 0.5) * dφ1_squared + dM22_dφ1 * dφ1_dφ2
-            + dM22_dφ2 * 0.5 * dφ2_squared;
-        let t39 = dP_s_dφ2 - τ2 + h2;
-        let ddφ1 = -(per_det_M * (M22 * t37 - M12 * t39));
-        let ddφ2 = -(per_det_M * (M11 * t39 - M12 * t37));
+        let h2 = t38.plus_product(dM22_dφ2 * 0.5, dφ2_squared);
+        let t39 = (p.right_torque * t32)
+            .minus_product(p.c, dφ2)
+            .minus_product(p.c * ω3_2, t33);
+        // generalized torque of all other forces
+        let τ2 = t39
+            .minus_product(p.c * ω4_2_minus_one, t34)
+            .minus_product(p.c * ω3_2_minus_ω4_2, t36);
+        let t40 = dP_s_dφ2 + h2 - τ2;
+        let ddφ1 = (per_det_M * (M22 * p.left_torque) * t31)
+            .minus_product(per_det_M, (M22 * t37).minus_product(M12, t40));
+        let ddφ2 = (-(per_det_M * (M11 * t40).minus_product(M12, t37)))
+            .minus_product(per_det_M * (M12 * p.left_torque), t31);
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;

@@ -23,7 +23,7 @@ pub mod four_bar {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -298,6 +298,7 @@ pub mod four_bar {
                 &prepared,
                 &COORDINATES,
                 0,
+                2,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -371,10 +372,10 @@ pub mod four_bar {
         /// `0.25 / (l2 * l2 * l3 * l3)`
         pub constant2: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 2>,
+        pub table_of_φ1: Table<T, 5>,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -466,7 +467,7 @@ pub mod four_bar {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
@@ -474,9 +475,9 @@ pub mod four_bar {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 2], p: &Prepared<T>) -> [T; 2] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 2], p: &Prepared<T>) -> [T; 5] {
         let turn_coupler = d[0];
         let turn_rocker = d[1];
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
@@ -490,9 +491,8 @@ pub mod four_bar {
         let per_D = D.recip();
         let κ = per_D * (p.constant1 + D) * 0.5;
         let Y_κ = Y * κ;
-        let t1 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t1;
+        let t1 = (D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared);
+        let η = p.half_ε * (per_D * (-t1).sqrt());
         let X_η = X * η;
         let s2 = p.per_l2 * (Y_κ + X_η);
         let X_κ = X * κ;
@@ -549,7 +549,13 @@ pub mod four_bar {
         // slope of the inertia
         let dA_dφ1 = t13 + p.C3 * (sin_φ1_minus_φ2 * ω2 * ω2_minus_one);
         let ddφ1_per_dφ1_squared = per_A * -(dA_dφ1 * 0.5);
-        [per_A * dP_dφ1, ddφ1_per_dφ1_squared]
+        [
+            per_A * dP_dφ1,
+            ddφ1_per_dφ1_squared,
+            φ2_minus_φ2_0,
+            φ3_minus_φ3_0,
+            -(p.constant2 * t1),
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -563,13 +569,13 @@ pub mod four_bar {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [per_A_dP_dφ1, ddφ1_per_dφ1_squared] = if p.table_of_φ1.covers(φ1) {
+        let [per_A_dP_dφ1, ddφ1_per_dφ1_squared, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
         };
         // ── state ──
-        let ddφ1 = ddφ1_per_dφ1_squared * (dφ1 * dφ1) - per_A_dP_dφ1;
+        let ddφ1 = (-per_A_dP_dφ1).plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -860,16 +866,12 @@ pub mod four_bar {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - p.l1 * cos_φ1;
-        let Y = -(p.l1 * sin_φ1);
-        // its length squared
-        let D = X * X + Y * Y;
-        let t1 = p.constant2
-            * ((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared));
-        result[0] = -t1;
+        let [.., t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -882,35 +884,11 @@ pub mod four_bar {
         result: &mut [T; 2],
     ) {
         let φ1 = x[0];
-        let turn_coupler = d[0];
-        let turn_rocker = d[1];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let l1_sin_φ1 = p.l1 * sin_φ1;
-        let Y = -l1_sin_φ1;
-        // vector that is left to close crank–coupler–rocker
-        let X = p.l4 - p.l1 * cos_φ1;
-        // its length squared
-        let D = X * X + Y * Y;
-        let per_D = D.recip();
-        let κ = per_D * (p.constant1 + D) * 0.5;
-        let Y_κ = Y * κ;
-        let t1 = per_D
-            * (-((D - p.l2_minus_l3_squared) * (D - p.l2_plus_l3_squared))).sqrt();
-        let η = p.half_ε * t1;
-        let X_η = X * η;
-        let s2 = p.per_l2 * (Y_κ + X_η);
-        let X_κ = X * κ;
-        let Y_η = Y * η;
-        let c2 = p.per_l2 * (X_κ - Y_η);
-        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
-        // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let s3 = p.per_l3 * (Y_κ + l1_sin_φ1 + X_η);
-        let c3 = -(p.per_l3 * (X - X_κ + Y_η));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
+        let [.., φ2_minus_φ2_0, φ3_minus_φ3_0, _] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
     }

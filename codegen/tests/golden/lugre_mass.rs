@@ -23,7 +23,7 @@ pub mod lugre_mass {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -162,6 +162,7 @@ pub mod lugre_mass {
                 half_m: m * 0.5,
                 half_k: k * 0.5,
                 half_sigma0: sigma0 * 0.5,
+                curve_of_per_g_v: Curve::wanted(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -205,9 +206,11 @@ pub mod lugre_mass {
         pub half_k: T,
         /// `0.5 * sigma0`
         pub half_sigma0: T,
+        /// [`per_g_v_of_dx_block`] for a trajectory alone; fitted by `LaneSystem::alone`.
+        pub curve_of_per_g_v: Curve,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -227,6 +230,7 @@ pub mod lugre_mass {
                 half_m: turn(self.half_m),
                 half_k: turn(self.half_k),
                 half_sigma0: turn(self.half_sigma0),
+                curve_of_per_g_v: Curve::none(),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -260,14 +264,25 @@ pub mod lugre_mass {
                 half_m: join(self.half_m, other.half_m),
                 half_k: join(self.half_k, other.half_k),
                 half_sigma0: join(self.half_sigma0, other.half_sigma0),
+                curve_of_per_g_v: Curve::none(),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
-            self
+            Self {
+                curve_of_per_g_v: Curve::none(),
+                ..self
+            }
         }
+    }
+    /// `per_g_v`, which depends on `dx_block` and params alone, in closed form.
+    #[inline(always)]
+    pub fn per_g_v_of_dx_block<T: Real>(dx_block: T, p: &Prepared<T>) -> T {
+        let t1 = p.F_S_minus_F_C * (-(p.per_v_s_squared * (dx_block * dx_block))).exp();
+        let g_v = p.per_sigma0 * (p.F_C + t1);
+        g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -288,14 +303,20 @@ pub mod lugre_mass {
         let end = (end_piece - 0.5).if_positive(p.pull * t, T::from_f64(0.0));
         // force of `rope` on its second end
         let F_rope = p.k * (end - x_block);
-        let t1 = p.F_S_minus_F_C * (-(p.per_v_s_squared * (dx_block * dx_block))).exp();
-        let g_v = p.per_sigma0 * (p.F_C + t1);
-        let ż = dx_block - z * dx_block.abs() * g_v.recip();
-        // friction force of `surface` on its second end
-        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * dx_block;
-        // generalized force of all other forces
-        let Q_block = F_rope - F_f;
-        let ddx_block = p.per_m * Q_block;
+        // friction force of `surface` on its second end, without what is known last
+        let F_f_so_far = (p.sigma0 * z)
+            .plus_product(p.sigma1, dx_block)
+            .plus_product(p.sigma2, dx_block);
+        // generalized force of all other forces, without what is known last
+        let Q_block_so_far = F_rope - F_f_so_far;
+        let z_abs_dx_block = z * dx_block.abs();
+        let per_g_v = match p.curve_of_per_g_v.at(dx_block) {
+            Some(value) => value,
+            None => per_g_v_of_dx_block(dx_block, p),
+        };
+        let ddx_block = (p.per_m * Q_block_so_far)
+            .plus_product(p.per_m * (p.sigma1 * z_abs_dx_block), per_g_v);
+        let ż = dx_block.minus_product(z_abs_dx_block, per_g_v);
         dx[0] = dx_block;
         dx[1] = ddx_block;
         dx[2] = ż;
@@ -550,11 +571,24 @@ pub mod lugre_mass {
             const NAMES: [&str; 0] = [];
             NAMES[index]
         }
+        fn curves(&self) -> Vec<(&str, CurveReport)> {
+            let alone: Prepared<f64> = self.alone();
+            let rows = [("dx_block", alone.curve_of_per_g_v.report())].into_iter();
+            rows.filter_map(|(name, report)| Some((name, report?))).collect()
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
+        }
+        fn alone<L: Lanes>(&self) -> Prepared<L> {
+            Prepared {
+                curve_of_per_g_v: self
+                    .curve_of_per_g_v
+                    .fitted(|argument| per_g_v_of_dx_block(argument, self)),
+                ..self.map(L::from_f64)
+            }
         }
         fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
             *lanes = lanes

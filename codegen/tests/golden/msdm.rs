@@ -22,7 +22,7 @@ pub mod msdm {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -263,6 +263,7 @@ pub mod msdm {
                 one_minus_rise,
                 constant4: t1,
                 constant5: one_minus_rise.if_positive(1.0, t1),
+                curve_of_per_g_v: Curve::wanted(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -354,9 +355,11 @@ pub mod msdm {
         pub constant4: T,
         /// `if_positive(1.0 - rise, 1.0, if_positive(rise, 0.0, if_positive(1.0 - rise, 1.0,…`
         pub constant5: T,
+        /// [`per_g_v_of_v`] for a trajectory alone; fitted by `LaneSystem::alone`.
+        pub curve_of_per_g_v: Curve,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -400,6 +403,7 @@ pub mod msdm {
                 one_minus_rise: turn(self.one_minus_rise),
                 constant4: turn(self.constant4),
                 constant5: turn(self.constant5),
+                curve_of_per_g_v: Curve::none(),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -478,14 +482,27 @@ pub mod msdm {
                 one_minus_rise: join(self.one_minus_rise, other.one_minus_rise),
                 constant4: join(self.constant4, other.constant4),
                 constant5: join(self.constant5, other.constant5),
+                curve_of_per_g_v: Curve::none(),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
-            self
+            Self {
+                curve_of_per_g_v: Curve::none(),
+                ..self
+            }
         }
+    }
+    /// `per_g_v`, which depends on `v` and params alone, in closed form.
+    #[inline(always)]
+    pub fn per_g_v_of_v<T: Real>(v: T, p: &Prepared<T>) -> T {
+        let t1 = p
+            .F_C
+            .plus_product(p.F_S_minus_F_C, (-(p.per_v_s_squared * (v * v))).exp());
+        let g_v = p.per_sigma0 * t1;
+        g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -517,23 +534,32 @@ pub mod msdm {
         // rate of the drive `xp`
         let dxp = xp_falling_minus_half.if_positive(p.constant2, p.stroke_f_per_rise);
         // force of `ceramic` on its second end
-        let F_ceramic = p.kp * (xp - x_stack) - p.cp * (dx_stack - dxp);
+        let F_ceramic = (p.kp * (xp - x_stack)).minus_product(p.cp, dx_stack - dxp);
         // force of `mechanism` on its second end
-        let F_mechanism = p.ke * (x_stack - x_flexure) + p.ce * (dx_stack - dx_flexure);
+        let F_mechanism = (p.ke * (x_stack - x_flexure))
+            .plus_product(p.ce, dx_stack - dx_flexure);
         // generalized force of all other forces
         let Q_stack = F_ceramic - F_mechanism;
         let ddx_stack = p.per_mp * Q_stack;
         // slip velocity of `tip`
         let v = dx_flexure - dx_stage;
-        let g_v = p.per_sigma0
-            * (p.F_C + p.F_S_minus_F_C * (-(p.per_v_s_squared * (v * v))).exp());
-        let ż = v - z * v.abs() * g_v.recip();
-        // friction force of `tip` on its second end
-        let F_f = p.sigma0 * z + p.sigma1 * ż + p.sigma2 * v;
-        // generalized force of all other forces
-        let Q_flexure = F_mechanism - F_f;
-        let ddx_flexure = p.per_me * Q_flexure;
-        let ddx_stage = p.per_ms * F_f;
+        // friction force of `tip` on its second end, without what is known last
+        let F_f_so_far = (p.sigma0 * z)
+            .plus_product(p.sigma1, v)
+            .plus_product(p.sigma2, v);
+        // generalized force of all other forces, without what is known last
+        let Q_flexure_so_far = F_mechanism - F_f_so_far;
+        let z_abs_v = z * v.abs();
+        let sigma1_z_abs_v = p.sigma1 * z_abs_v;
+        let per_g_v = match p.curve_of_per_g_v.at(v) {
+            Some(value) => value,
+            None => per_g_v_of_v(v, p),
+        };
+        let ddx_flexure = (p.per_me * Q_flexure_so_far)
+            .plus_product(p.per_me * sigma1_z_abs_v, per_g_v);
+        let ddx_stage = (p.per_ms * F_f_so_far)
+            .minus_product(p.per_ms * sigma1_z_abs_v, per_g_v);
+        let ż = v.minus_product(z_abs_v, per_g_v);
         dx[0] = dx_stack;
         dx[1] = ddx_stack;
         dx[2] = dx_flexure;
@@ -853,11 +879,24 @@ pub mod msdm {
             const NAMES: [&str; 0] = [];
             NAMES[index]
         }
+        fn curves(&self) -> Vec<(&str, CurveReport)> {
+            let alone: Prepared<f64> = self.alone();
+            let rows = [("v", alone.curve_of_per_g_v.report())].into_iter();
+            rows.filter_map(|(name, report)| Some((name, report?))).collect()
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
+        }
+        fn alone<L: Lanes>(&self) -> Prepared<L> {
+            Prepared {
+                curve_of_per_g_v: self
+                    .curve_of_per_g_v
+                    .fitted(|argument| per_g_v_of_v(argument, self)),
+                ..self.map(L::from_f64)
+            }
         }
         fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
             *lanes = lanes

@@ -23,7 +23,7 @@ pub mod n_windows_1 {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -107,7 +107,7 @@ pub mod n_windows_1 {
         pub half_C0: T,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -141,7 +141,7 @@ pub mod n_windows_1 {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             self
         }

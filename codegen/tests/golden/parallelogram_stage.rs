@@ -22,7 +22,7 @@ pub mod parallelogram_stage {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -180,7 +180,7 @@ pub mod parallelogram_stage {
         pub half_C0: T,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -218,7 +218,7 @@ pub mod parallelogram_stage {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             self
         }
@@ -239,8 +239,8 @@ pub mod parallelogram_stage {
         // slope of the potential energy of springs
         let dP_s_dφ = p.ddP_s_dφ_dφ * (φ - 1.5707963267948966);
         // ── state ──
-        let t1 = p.per_C0 * (dP_s_dφ + p.l_push * φ.sin() * (p.constant1 * t).sin());
-        let ddφ = -t1;
+        let ddφ = (-(p.per_C0 * dP_s_dφ))
+            .minus_product(p.per_C0 * (p.l_push * φ.sin()), (p.constant1 * t).sin());
         dx[0] = dφ;
         dx[1] = ddφ;
     }

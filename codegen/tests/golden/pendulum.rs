@@ -20,7 +20,7 @@ pub mod pendulum {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -142,7 +142,7 @@ pub mod pendulum {
         pub half_k: T,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -182,7 +182,7 @@ pub mod pendulum {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             self
         }
@@ -207,7 +207,7 @@ pub mod pendulum {
         // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
         // ── state ──
-        let ddφ = -(p.per_C0 * (dP_dφ + p.c * dφ));
+        let ddφ = -(p.per_C0 * dP_dφ.plus_product(p.c, dφ));
         dx[0] = dφ;
         dx[1] = ddφ;
     }

@@ -20,7 +20,7 @@ pub mod six_bar {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -497,6 +497,7 @@ pub mod six_bar {
                 &prepared,
                 &COORDINATES,
                 0,
+                4,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -652,10 +653,10 @@ pub mod six_bar {
         /// `0.25 / (l5 * l5 * l6 * l6)`
         pub constant6: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 4>,
+        pub table_of_φ1: Table<T, 10>,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -835,7 +836,7 @@ pub mod six_bar {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
@@ -843,9 +844,9 @@ pub mod six_bar {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 4] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 4], p: &Prepared<T>) -> [T; 10] {
         let turn_coupler = d[0];
         let turn_rocker = d[1];
         let turn_connector = d[2];
@@ -861,8 +862,8 @@ pub mod six_bar {
         let per_D1 = D1.recip();
         let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
         let Y1_κ1 = Y1 * κ1;
-        let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_ε1 * (per_D1 * t1);
+        let t1 = (D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared);
+        let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
         let X1_η1 = X1 * η1;
         let s2 = p.per_l2 * (Y1_κ1 + X1_η1);
         let X1_κ1 = X1 * κ1;
@@ -891,8 +892,8 @@ pub mod six_bar {
         let per_D2 = D2.recip();
         let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
         let Y2_κ2 = Y2 * κ2;
-        let t5 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_ε2 * (per_D2 * t5);
+        let t5 = (D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared);
+        let η2 = p.half_ε2 * (per_D2 * (-t5).sqrt());
         let X2_η2 = X2 * η2;
         let s5 = p.per_l5 * (Y2_κ2 + X2_η2);
         let X2_κ2 = X2 * κ2;
@@ -1011,7 +1012,18 @@ pub mod six_bar {
         let t42 = p.C7 * (sin_φ5_minus_φ6 * ω5 * ω6 * t21)
             - (t41 + p.C7 * (ω5 * cos_φ5_minus_φ6 * ω6_prime));
         let ddφ1_per_dφ1_squared = per_A * (t42 * 0.5);
-        [per_A, per_A * dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared]
+        [
+            per_A,
+            per_A * dP_dφ1,
+            ddφ1_per_dφ1,
+            ddφ1_per_dφ1_squared,
+            φ2_minus_φ2_0,
+            φ3_minus_φ3_0,
+            φ5_minus_φ5_0,
+            φ6_minus_φ6_0,
+            -(p.constant5 * t1),
+            -(p.constant6 * t5),
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -1025,7 +1037,7 @@ pub mod six_bar {
     ) {
         let φ1 = x[0];
         let dφ1 = x[1];
-        let [per_A, per_A_dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared] = if p
+        let [per_A, per_A_dP_dφ1, ddφ1_per_dφ1, ddφ1_per_dφ1_squared, ..] = if p
             .table_of_φ1
             .covers(φ1)
         {
@@ -1034,9 +1046,12 @@ pub mod six_bar {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
         };
         // ── state ──
-        let t1 = ddφ1_per_dφ1 * dφ1 - per_A_dP_dφ1
-            + ddφ1_per_dφ1_squared * (dφ1 * dφ1);
-        let ddφ1 = t1 + per_A * (p.torque * (p.constant4 * t).sin() - p.c * dφ1);
+        let t1 = (-per_A_dP_dφ1)
+            .plus_product(ddφ1_per_dφ1, dφ1)
+            .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
+        let ddφ1 = t1
+            .plus_product(per_A, -(p.c * dφ1))
+            .plus_product(per_A * p.torque, (p.constant4 * t).sin());
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -1558,30 +1573,13 @@ pub mod six_bar {
         result: &mut [T; 2],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that is left to close crank–coupler–rocker
-        let X1 = p.x2 - l1_cos_φ1;
-        let l1_sin_φ1 = p.l1 * sin_φ1;
-        let Y1 = p.y2 - l1_sin_φ1;
-        // its length squared
-        let D1 = X1 * X1 + Y1 * Y1;
-        let t1 = (D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared);
-        let per_D1 = D1.recip();
-        let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
-        let η1 = p.half_ε1 * (per_D1 * (-t1).sqrt());
-        let s2 = p.per_l2 * (Y1 * κ1 + X1 * η1);
-        let c2 = p.per_l2 * (X1 * κ1 - Y1 * η1);
-        // vector that is left to close crank–coupler–connector–output_rocker
-        let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
-        let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // its length squared
-        let D2 = X2 * X2 + Y2 * Y2;
-        let t2 = p.constant6
-            * ((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared));
-        result[0] = -(p.constant5 * t1);
-        result[1] = -t2;
+        let [.., t1, t2] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
+        result[1] = t2;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -1594,60 +1592,12 @@ pub mod six_bar {
         result: &mut [T; 4],
     ) {
         let φ1 = x[0];
-        let turn_coupler = d[0];
-        let turn_rocker = d[1];
-        let turn_connector = d[2];
-        let turn_output_rocker = d[3];
-        // ── configuration ──
-        let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let l1_sin_φ1 = p.l1 * sin_φ1;
-        let Y1 = p.y2 - l1_sin_φ1;
-        let l1_cos_φ1 = p.l1 * cos_φ1;
-        // vector that is left to close crank–coupler–rocker
-        let X1 = p.x2 - l1_cos_φ1;
-        // its length squared
-        let D1 = X1 * X1 + Y1 * Y1;
-        let per_D1 = D1.recip();
-        let κ1 = per_D1 * (p.constant1 + D1) * 0.5;
-        let Y1_κ1 = Y1 * κ1;
-        let t1 = (-((D1 - p.l2_minus_l3_squared) * (D1 - p.l2_plus_l3_squared))).sqrt();
-        let η1 = p.half_ε1 * (per_D1 * t1);
-        let X1_η1 = X1 * η1;
-        let s2 = p.per_l2 * (Y1_κ1 + X1_η1);
-        let X1_κ1 = X1 * κ1;
-        let Y1_η1 = Y1 * η1;
-        let c2 = p.per_l2 * (X1_κ1 - Y1_η1);
-        let t2 = (p.c2_0 * s2 - p.s2_0 * c2).atan2(p.c2_0 * c2 + p.s2_0 * s2);
-        // angle of `coupler` from the assembled one
-        let φ2_minus_φ2_0 = t2.unwrap_to(turn_coupler);
-        let s3 = p.per_l3 * (Y1_κ1 - Y1 + X1_η1);
-        let c3 = -(p.per_l3 * (X1 - X1_κ1 + Y1_η1));
-        let t3 = (p.c3_0 * s3 - p.s3_0 * c3).atan2(p.c3_0 * c3 + p.s3_0 * s3);
-        // angle of `rocker` from the assembled one
-        let φ3_minus_φ3_0 = t3.unwrap_to(turn_rocker);
-        let Y2 = p.y3 - l1_sin_φ1 - p.cx * s2 - p.cy * c2;
-        // vector that is left to close crank–coupler–connector–output_rocker
-        let X2 = p.x3 - l1_cos_φ1 + p.cy * s2 - p.cx * c2;
-        // its length squared
-        let D2 = X2 * X2 + Y2 * Y2;
-        let per_D2 = D2.recip();
-        let κ2 = per_D2 * (p.constant2 + D2) * 0.5;
-        let Y2_κ2 = Y2 * κ2;
-        let t4 = (-((D2 - p.l5_minus_l6_squared) * (D2 - p.l5_plus_l6_squared))).sqrt();
-        let η2 = p.half_ε2 * (per_D2 * t4);
-        let X2_η2 = X2 * η2;
-        let s5 = p.per_l5 * (Y2_κ2 + X2_η2);
-        let X2_κ2 = X2 * κ2;
-        let Y2_η2 = Y2 * η2;
-        let c5 = p.per_l5 * (X2_κ2 - Y2_η2);
-        let t5 = (p.c5_0 * s5 - p.s5_0 * c5).atan2(p.c5_0 * c5 + p.s5_0 * s5);
-        // angle of `connector` from the assembled one
-        let φ5_minus_φ5_0 = t5.unwrap_to(turn_connector);
-        let s6 = p.per_l6 * (Y2_κ2 - Y2 + X2_η2);
-        let c6 = -(p.per_l6 * (X2 - X2_κ2 + Y2_η2));
-        let t6 = (p.c6_0 * s6 - p.s6_0 * c6).atan2(p.c6_0 * c6 + p.s6_0 * s6);
-        // angle of `output_rocker` from the assembled one
-        let φ6_minus_φ6_0 = t6.unwrap_to(turn_output_rocker);
+        let [.., φ2_minus_φ2_0, φ3_minus_φ3_0, φ5_minus_φ5_0, φ6_minus_φ6_0, _, _,
+        ] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[0] = φ2_minus_φ2_0;
         result[1] = φ3_minus_φ3_0;
         result[2] = φ5_minus_φ5_0;

@@ -19,7 +19,7 @@ pub mod slider_crank {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -223,6 +223,7 @@ pub mod slider_crank {
                 &prepared,
                 &COORDINATES,
                 0,
+                4,
                 |φ, d| { functions_of_φ(φ, array(d), &prepared) },
             );
             Ok(prepared)
@@ -298,10 +299,10 @@ pub mod slider_crank {
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
         /// [`functions_of_φ`] near the start.
-        pub table_of_φ: Table<T, 4>,
+        pub table_of_φ: Table<T, 6>,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -389,7 +390,7 @@ pub mod slider_crank {
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ: Table::none(),
@@ -397,15 +398,16 @@ pub mod slider_crank {
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ<T: Real>(φ: T, d: &[T; 1], p: &Prepared<T>) -> [T; 4] {
+    pub fn functions_of_φ<T: Real>(φ: T, d: &[T; 1], p: &Prepared<T>) -> [T; 6] {
         let turn_rod = d[0];
         let (sin_φ, cos_φ) = φ.sin_cos();
         let r_sin_φ = p.r * sin_φ;
         let Y = p.offset - r_sin_φ;
+        let t1 = p.l_squared - Y * Y;
         let r_cos_φ = p.r * cos_φ;
-        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
+        let x_piston = p.ε * t1.sqrt() + r_cos_φ;
         let c_ψ = p.per_l * (x_piston - r_cos_φ);
         let per_c_ψ = c_ψ.recip();
         let cos_φ_per_c_ψ = cos_φ * per_c_ψ;
@@ -423,37 +425,44 @@ pub mod slider_crank {
             + p.C2 * (ω_ψ * cos_φ_minus_ψ);
         let per_A = A.recip();
         let ω_ψ_minus_one = ω_ψ - 1.0;
-        let t1 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
+        let t2 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
             .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
         // angle of `rod` from the assembled one
-        let ψ_minus_ψ_0 = t1.unwrap_to(turn_rod);
-        let t2 = ω_ψ_minus_one
+        let ψ_minus_ψ_0 = t2.unwrap_to(turn_rod);
+        let t3 = ω_ψ_minus_one
             * (T::from_f64(1.3089969389957472) - φ + ψ_minus_ψ_0);
-        let t3 = p.k * (φ - 1.3089969389957472) + p.k * t2
+        let t4 = p.k * (φ - 1.3089969389957472) + p.k * t3
             + p.k * (ψ_minus_ψ_0 * ω_ψ);
         // position of `piston` from the assembled one
-        let t4 = x_piston - p.x_piston_0;
+        let t5 = x_piston - p.x_piston_0;
         // slope of the potential energy of springs
-        let dP_s_dφ = t3 + p.kr * (t4 * ν_piston);
-        let t5 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
+        let dP_s_dφ = t4 + p.kr * (t5 * ν_piston);
+        let t6 = p.mc_r_crank * cos_φ + p.mr * (r_cos_φ + p.r_rod * (c_ψ * ω_ψ));
         // slope of the potential energy of gravity
-        let dP_g_dφ = t5 * 9.81;
+        let dP_g_dφ = t6 * 9.81;
         // slope of the potential energy
         let dP_dφ = dP_s_dφ + dP_g_dφ;
-        let t6 = p.c * (ω_ψ_minus_one * (r_per_l_cos_φ_per_c_ψ - -1.0))
+        let t7 = p.c * (ω_ψ_minus_one * (r_per_l_cos_φ_per_c_ψ - -1.0))
             - p.c * (ω_ψ * (p.r_per_l * -cos_φ_per_c_ψ));
-        let ddφ_per_dφ = per_A * t6;
+        let ddφ_per_dφ = per_A * t7;
         let ω_ψ_prime = p.per_l
             * (per_c_ψ * (r_sin_φ + p.l * (ω_ψ_squared * s_ψ)));
         let ν_piston_prime = per_c_ψ
             * (p.r * (cos_φ_minus_ψ * ω_ψ_minus_one) + ω_ψ * ν_piston * s_ψ);
-        let t7 = p.two_C1 * (ω_ψ * ω_ψ_prime)
+        let t8 = p.two_C1 * (ω_ψ * ω_ψ_prime)
             + p.two_ms * (ν_piston * ν_piston_prime);
         // slope of the inertia
-        let dA_dφ = t7 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
+        let dA_dφ = t8 + p.C2 * (ω_ψ_prime * cos_φ_minus_ψ)
             + p.C2 * (sin_φ_minus_ψ * ω_ψ * ω_ψ_minus_one);
         let ddφ_per_dφ_squared = per_A * -(dA_dφ * 0.5);
-        [per_A, per_A * dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared]
+        [
+            per_A,
+            per_A * dP_dφ,
+            ddφ_per_dφ,
+            ddφ_per_dφ_squared,
+            ψ_minus_ψ_0,
+            p.per_l_squared * t1,
+        ]
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -467,7 +476,7 @@ pub mod slider_crank {
     ) {
         let φ = x[0];
         let dφ = x[1];
-        let [per_A, per_A_dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared] = if p
+        let [per_A, per_A_dP_dφ, ddφ_per_dφ, ddφ_per_dφ_squared, ..] = if p
             .table_of_φ
             .covers(φ)
         {
@@ -476,8 +485,12 @@ pub mod slider_crank {
             p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
         };
         // ── state ──
-        let ddφ = ddφ_per_dφ * dφ - per_A_dP_dφ + ddφ_per_dφ_squared * (dφ * dφ)
-            + per_A * (p.torque * (p.constant1 * t).sin() - p.c * dφ);
+        let t1 = (-per_A_dP_dφ)
+            .plus_product(ddφ_per_dφ, dφ)
+            .plus_product(ddφ_per_dφ_squared, dφ * dφ);
+        let ddφ = t1
+            .plus_product(per_A, -(p.c * dφ))
+            .plus_product(per_A * p.torque, (p.constant1 * t).sin());
         dx[0] = dφ;
         dx[1] = ddφ;
     }
@@ -693,9 +706,12 @@ pub mod slider_crank {
         result: &mut [T; 1],
     ) {
         let φ = x[0];
-        // ── configuration ──
-        let Y = p.offset - p.r * φ.sin();
-        result[0] = p.per_l_squared * (p.l_squared - Y * Y);
+        let [.., t1] = if p.table_of_φ.covers(φ) {
+            p.table_of_φ.polynomials(φ)
+        } else {
+            p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -708,18 +724,11 @@ pub mod slider_crank {
         result: &mut [T; 1],
     ) {
         let φ = x[0];
-        let turn_rod = d[0];
-        // ── configuration ──
-        let (sin_φ, cos_φ) = φ.sin_cos();
-        let Y = p.offset - p.r * sin_φ;
-        let s_ψ = p.per_l * Y;
-        let r_cos_φ = p.r * cos_φ;
-        let x_piston = p.ε * (p.l_squared - Y * Y).sqrt() + r_cos_φ;
-        let c_ψ = p.per_l * (x_piston - r_cos_φ);
-        let t1 = (p.c_ψ_0 * s_ψ - p.s_ψ_0 * c_ψ)
-            .atan2(p.c_ψ_0 * c_ψ + p.s_ψ_0 * s_ψ);
-        // angle of `rod` from the assembled one
-        let ψ_minus_ψ_0 = t1.unwrap_to(turn_rod);
+        let [.., ψ_minus_ψ_0, _] = if p.table_of_φ.covers(φ) {
+            p.table_of_φ.polynomials(φ)
+        } else {
+            p.table_of_φ.where_covered(φ, functions_of_φ(φ, d, p))
+        };
         result[0] = ψ_minus_ψ_0;
     }
     /// Time in s of each drive's next kink.

@@ -19,7 +19,7 @@ pub mod slider_crank_by_hand {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -130,6 +130,7 @@ pub mod slider_crank_by_hand {
                 half_E: E * 0.5,
                 per_e: e.recip(),
                 table_of_φ1: Table::none(),
+                curve_of_half_plus_half_tanh_ω: Curve::wanted(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
             check_start(prepared.discretes(), &prepared.start_discretes)?;
@@ -137,6 +138,7 @@ pub mod slider_crank_by_hand {
                 &prepared,
                 &COORDINATES,
                 0,
+                1,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -182,10 +184,12 @@ pub mod slider_crank_by_hand {
         /// `1.0 / e`
         pub per_e: T,
         /// [`functions_of_φ1`] near the start.
-        pub table_of_φ1: Table<T, 1>,
+        pub table_of_φ1: Table<T, 3>,
+        /// [`half_plus_half_tanh_ω_of_ω`] for a trajectory alone; fitted by `LaneSystem::alone`.
+        pub curve_of_half_plus_half_tanh_ω: Curve,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -207,6 +211,7 @@ pub mod slider_crank_by_hand {
                 half_E: turn(self.half_E),
                 per_e: turn(self.per_e),
                 table_of_φ1: self.table_of_φ1.map(&turn),
+                curve_of_half_plus_half_tanh_ω: Curve::none(),
             }
         }
         /// Every number joined with the one that stands in its place in `other`.
@@ -242,38 +247,47 @@ pub mod slider_crank_by_hand {
                 half_E: join(self.half_E, other.half_E),
                 per_e: join(self.per_e, other.per_e),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
+                curve_of_half_plus_half_tanh_ω: Curve::none(),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
+                curve_of_half_plus_half_tanh_ω: Curve::none(),
                 ..self
             }
         }
     }
-    /// What [`rhs`] needs that depends on `φ1` and params alone, in closed form.
+    /// What [`rhs`], [`accept`] and [`closures`] need that depends on `φ1` and params alone, in closed form.
     #[inline(always)]
-    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 3], p: &Prepared<T>) -> [T; 1] {
+    pub fn functions_of_φ1<T: Real>(φ1: T, d: &[T; 3], p: &Prepared<T>) -> [T; 3] {
+        let φ2_reference = d[2];
         let t1 = p.type_
             * (((φ1 + p.θ) * 0.5).sin() * ((p.θ - φ1) * 0.5).sin() * 2.0);
         let (sin_φ1, cos_φ1) = φ1.sin_cos();
-        let cos_φ2 = (T::from_f64(1.0)
-            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
-            .sqrt();
+        let t2 = T::from_f64(1.0) - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1);
+        let cos_φ2 = t2.sqrt();
         let sin_φ2 = -(p.r_per_l * sin_φ1);
         let cos_φ1_minus_φ2 = cos_φ1 * cos_φ2 + sin_φ1 * sin_φ2;
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
-        let t2 = p.r_type
+        let t3 = p.r_type
             * (p.cos_β * cos_φ1_minus_φ2 + p.sin_β * sin_φ1_minus_φ2);
-        let t3 = φ1 * 0.25 + 0.5;
-        let (t4, t5) = t3.sin_cos();
-        let t6 = t1 - t2 - p.E * (φ1 - p.θ) + t4 + t5 + t3.tan() + t3.asin()
-            + t3.acos();
-        let t7 = t6 + t3.atan() + t3.tanh() + t3.exp() + t3.ln() + t3.abs() + t3.sign();
-        [t7 + t3.floor()]
+        let t4 = φ1 * 0.25 + 0.5;
+        let (t5, t6) = t4.sin_cos();
+        let t7 = t1 - t3 - p.E * (φ1 - p.θ) + t5 + t6 + t4.tan() + t4.asin()
+            + t4.acos();
+        let t8 = t7 + t4.atan() + t4.tanh() + t4.exp() + t4.ln() + t4.abs() + t4.sign();
+        // angle of the rod
+        let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
+        [t8 + t4.floor(), φ2, t2]
+    }
+    /// `half_plus_half_tanh_ω`, which depends on `ω` and params alone, in closed form.
+    #[inline(always)]
+    pub fn half_plus_half_tanh_ω_of_ω<T: Real>(ω: T, p: &Prepared<T>) -> T {
+        ω.tanh() * 0.5 + 0.5
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
     #[inline(always)]
@@ -290,7 +304,7 @@ pub mod slider_crank_by_hand {
         let n = d[0];
         let level = d[1];
         let u_2 = u[0];
-        let [t1] = if p.table_of_φ1.covers(φ1) {
+        let [t1, ..] = if p.table_of_φ1.covers(φ1) {
             p.table_of_φ1.polynomials(φ1)
         } else {
             p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
@@ -298,19 +312,28 @@ pub mod slider_crank_by_hand {
         // ── configuration ──
         let t2 = φ1 * 0.25 + 0.5;
         // ── state ──
-        let half_plus_half_tanh_ω = ω.tanh() * 0.5 + 0.5;
-        let t3 = t1 + u_2 + t2.atan2(half_plus_half_tanh_ω)
-            + t2.smaller(half_plus_half_tanh_ω);
-        let t4 = t3 + t2.larger(half_plus_half_tanh_ω)
+        let t3 = (t1 + u_2 + level).minus_product(p.E, n.minus_product(p.e, t));
+        let half_plus_half_tanh_ω = match p.curve_of_half_plus_half_tanh_ω.at(ω) {
+            Some(value) => value,
+            None => half_plus_half_tanh_ω_of_ω(ω, p),
+        };
+        let t4 = t3 + t2.smaller(half_plus_half_tanh_ω)
+            + t2.larger(half_plus_half_tanh_ω);
+        let t5 = t4 + (u_2 * 0.25).if_positive(t2, half_plus_half_tanh_ω)
+            + t2.unwrap_to(half_plus_half_tanh_ω);
+        let t6 = t5 + t2.atan2(half_plus_half_tanh_ω)
             + t2.power(half_plus_half_tanh_ω);
-        let t5 = (t2 + half_plus_half_tanh_ω) * 0.5;
-        let (t6, t7) = t5.sin_cos();
-        let t8 = t4 + t6 * ((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0
-            + t7 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0;
-        let t9 = t8 + t2.unwrap_to(half_plus_half_tanh_ω)
-            + (u_2 * 0.25).if_positive(t2, half_plus_half_tanh_ω);
+        let t7 = (t2 + half_plus_half_tanh_ω) * 0.5;
+        let (t9, t8) = t7.sin_cos();
+        let t10 = p.per_J
+            * (t6 + t8 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0);
+        let t11 = t10
+            .plus_product(
+                p.per_J * (((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0),
+                t9,
+            );
         dx[0] = ω;
-        dx[1] = p.per_J * (t9 + level - p.E * (n - p.e * t));
+        dx[1] = t11;
     }
     /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
     #[inline(always)]
@@ -463,9 +486,12 @@ pub mod slider_crank_by_hand {
         result: &mut [T; 1],
     ) {
         let φ1 = x[0];
-        // ── configuration ──
-        let sin_φ1 = φ1.sin();
-        result[0] = T::from_f64(1.0) - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1);
+        let [.., t1] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
+        result[0] = t1;
     }
     /// The discrete state after an accepted step that ends in `x`; entries that stay are left as they are.
     #[inline(always)]
@@ -478,15 +504,11 @@ pub mod slider_crank_by_hand {
         result: &mut [T; 3],
     ) {
         let φ1 = x[0];
-        let φ2_reference = d[2];
-        // ── configuration ──
-        let sin_φ1 = φ1.sin();
-        let sin_φ2 = -(p.r_per_l * sin_φ1);
-        let cos_φ2 = (T::from_f64(1.0)
-            - p.r_squared_per_l_squared * (sin_φ1 * sin_φ1))
-            .sqrt();
-        // angle of the rod
-        let φ2 = sin_φ2.atan2(cos_φ2).unwrap_to(φ2_reference);
+        let [.., φ2, _] = if p.table_of_φ1.covers(φ1) {
+            p.table_of_φ1.polynomials(φ1)
+        } else {
+            p.table_of_φ1.where_covered(φ1, functions_of_φ1(φ1, d, p))
+        };
         result[2] = φ2;
     }
     /// Time in s of each drive's next kink.
@@ -630,11 +652,25 @@ pub mod slider_crank_by_hand {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn curves(&self) -> Vec<(&str, CurveReport)> {
+            let alone: Prepared<f64> = self.alone();
+            let rows = [("ω", alone.curve_of_half_plus_half_tanh_ω.report())]
+                .into_iter();
+            rows.filter_map(|(name, report)| Some((name, report?))).collect()
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
+        }
+        fn alone<L: Lanes>(&self) -> Prepared<L> {
+            Prepared {
+                curve_of_half_plus_half_tanh_ω: self
+                    .curve_of_half_plus_half_tanh_ω
+                    .fitted(|argument| half_plus_half_tanh_ω_of_ω(argument, self)),
+                ..self.map(L::from_f64)
+            }
         }
         fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Prepared<L>) {
             *lanes = lanes

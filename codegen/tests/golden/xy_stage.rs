@@ -22,7 +22,7 @@ pub mod xy_stage {
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
-    use ::flexure_runtime::table::{Table, TableReport};
+    use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Params {
@@ -225,6 +225,7 @@ pub mod xy_stage {
                 half_C1: C1 * 0.5,
                 half_ks: ks * 0.5,
                 two_k: k * 2.0,
+                ks_stroke: ks * stroke,
                 table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -233,6 +234,7 @@ pub mod xy_stage {
                 &prepared,
                 &COORDINATES,
                 0,
+                4,
                 |φ1, d| { functions_of_φ1(φ1, array(d), &prepared) },
             );
             Ok(prepared)
@@ -287,11 +289,13 @@ pub mod xy_stage {
         pub half_ks: T,
         /// `2.0 * k`
         pub two_k: T,
+        /// `ks * stroke`
+        pub ks_stroke: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 4>,
     }
     impl<T: Copy> Prepared<T> {
-        /// The same with every number turned into another: for dual numbers or lanes.
+        /// The same with every number turned into another, without curves: for dual numbers or lanes.
         pub fn map<U>(&self, turn: impl Fn(T) -> U) -> Prepared<U> {
             Prepared {
                 start_states: self.start_states.map(&turn),
@@ -317,6 +321,7 @@ pub mod xy_stage {
                 half_C1: turn(self.half_C1),
                 half_ks: turn(self.half_ks),
                 two_k: turn(self.two_k),
+                ks_stroke: turn(self.ks_stroke),
                 table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
@@ -354,12 +359,13 @@ pub mod xy_stage {
                 half_C1: join(self.half_C1, other.half_C1),
                 half_ks: join(self.half_ks, other.half_ks),
                 two_k: join(self.two_k, other.two_k),
+                ks_stroke: join(self.ks_stroke, other.ks_stroke),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
     }
     impl Prepared<f64> {
-        /// The same without tables: functions of one coordinate in closed form everywhere.
+        /// The same without tables and curves: closed forms everywhere.
         pub fn exact(self) -> Self {
             Self {
                 table_of_φ1: Table::none(),
@@ -409,31 +415,34 @@ pub mod xy_stage {
         let per_det_M = det_M.recip();
         // slope of the potential energy of springs
         let dP_s_dφ1 = p.ddP_s_dφ1_dφ1 * (φ1 - 1.5707963267948966);
-        let l_sin_φ1 = p.l * sin_φ1;
         let sin_φ1_minus_φ2 = sin_φ1 * cos_φ2 - cos_φ1 * sin_φ2;
         // slope of the inertia
         let dM12_dφ2 = p.half_C2 * sin_φ1_minus_φ2;
+        let l_sin_φ1 = p.l * sin_φ1;
         // slope of the potential energy of springs
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * φ2;
+        // slope of the inertia
+        let dM12_dφ1 = -dM12_dφ2;
         let dy_P1_dφ2 = p.l * cos_φ2;
         let half_φ2 = φ2 * 0.5;
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
         let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
-        // slope of the inertia
-        let dM12_dφ1 = -dM12_dφ2;
+        let l_sin_φ1_ks_stroke = l_sin_φ1 * p.ks_stroke;
         // ── state ──
-        let t1 = p.constant1 * t;
-        let (t2, t3) = t1.sin_cos();
-        // drive `ux`
-        let ux = p.stroke * t2;
-        // rate of the drive `ux`
-        let dux = p.constant2 * t3;
-        // force of `x_stack` on its second end
-        let F_x_stack = p.ks * (ux - x_F1) + p.cs * (l_sin_φ1 * dφ1 + dux);
         // centrifugal and Coriolis terms
         let h1 = dM12_dφ2 * (dφ2 * dφ2);
-        let t4 = dP_s_dφ1 + (p._4_c * dφ1 + l_sin_φ1 * F_x_stack) + h1;
+        let t1 = p.constant1 * t;
+        let (t3, t2) = t1.sin_cos();
+        // rate of the drive `ux`
+        let dux = p.constant2 * t2;
+        // force of `x_stack` on its second end, without what is known last
+        let F_x_stack_so_far = (p.ks * -x_F1)
+            .plus_product(p.cs, dux.plus_product(l_sin_φ1, dφ1));
+        let t4 = (dP_s_dφ1.plus_product(p._4_c, dφ1) + h1)
+            .plus_product(l_sin_φ1, F_x_stack_so_far);
+        // centrifugal and Coriolis terms
+        let h2 = dM12_dφ1 * (dφ1 * dφ1);
         let t5 = p.constant3 * t;
         let (t6, t7) = t5.sin_cos();
         // drive `uy`
@@ -441,14 +450,15 @@ pub mod xy_stage {
         // rate of the drive `uy`
         let duy = p.constant4 * t7;
         // force of `y_stack` on its second end
-        let F_y_stack = p.ks * (y_T - y_P1 + uy) - p.cs * (dy_P1_dφ2 * dφ2 - duy);
+        let F_y_stack = (p.ks * (y_T - y_P1 + uy))
+            .minus_product(p.cs, (-duy).plus_product(dy_P1_dφ2, dφ2));
         // generalized torque of all other forces
-        let τ2 = dy_P1_dφ2 * F_y_stack - p._4_c * dφ2;
-        // centrifugal and Coriolis terms
-        let h2 = dM12_dφ1 * (dφ1 * dφ1);
-        let t8 = dP_s_dφ2 - τ2 + h2;
-        let ddφ1 = -(per_det_M * (p.C1 * t4 - M12 * t8));
-        let ddφ2 = -(per_det_M * (p.C0 * t8 - M12 * t4));
+        let τ2 = (dy_P1_dφ2 * F_y_stack).minus_product(p._4_c, dφ2);
+        let t8 = dP_s_dφ2 + h2 - τ2;
+        let ddφ1 = (-(per_det_M * (p.C1 * t4).minus_product(M12, t8)))
+            .minus_product(per_det_M * (p.C1 * l_sin_φ1_ks_stroke), t3);
+        let ddφ2 = (per_det_M * (M12 * l_sin_φ1_ks_stroke) * t3)
+            .minus_product(per_det_M, (p.C0 * t8).minus_product(M12, t4));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;

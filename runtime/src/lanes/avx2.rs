@@ -11,7 +11,7 @@ use std::arch::x86_64::*;
 use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::kernels::Vector;
+use super::kernels::{ROOT_OF_HALF, Vector, WHOLE};
 use super::{Lanes, real_by_kernels};
 use crate::real::Real;
 
@@ -134,8 +134,7 @@ impl Real for F64x4 {
     }
     #[inline(always)]
     fn any_positive(self) -> bool {
-        let positive = Self::from_f64(0.0).less(self);
-        here!(_mm256_movemask_pd(positive)) != 0
+        Self::any(Self::from_f64(0.0).less(self))
     }
     #[inline(always)]
     fn lookup(self, table: &[f64]) -> Self {
@@ -161,6 +160,10 @@ impl Vector for F64x4 {
         here!(_mm256_movemask_pd(mask)) == 0b1111
     }
     #[inline(always)]
+    fn any(mask: __m256d) -> bool {
+        here!(_mm256_movemask_pd(mask)) != 0
+    }
+    #[inline(always)]
     fn choose(mask: __m256d, yes: Self, no: Self) -> Self {
         Self(here!(_mm256_blendv_pd(no.0, yes.0, mask)))
     }
@@ -183,10 +186,55 @@ impl Vector for F64x4 {
         self.flip(Self(here!(_mm256_castsi256_pd(shifted))))
     }
     #[inline(always)]
-    fn power_of_two(self) -> Self {
-        let exponent = here!(_mm256_add_epi64(self.bits(), _mm256_set1_epi64x(1023)));
-        Self(here!(_mm256_castsi256_pd(_mm256_slli_epi64::<52>(
-            exponent
+    fn zero_where(self, mask: __m256d) -> Self {
+        Self(here!(_mm256_andnot_pd(mask, self.0)))
+    }
+    #[inline(always)]
+    fn of_four(self, table: &[f64; 4]) -> Self {
+        // The two halves of entry n are halves 2n and 2n + 1; bits above the lowest three do not
+        // count.
+        let twice = here!(_mm256_castsi256_ps(_mm256_add_epi64(
+            self.bits(),
+            self.bits()
+        )));
+        let halves = here!(_mm256_or_si256(
+            _mm256_castps_si256(_mm256_moveldup_ps(twice)),
+            _mm256_set1_epi64x(1 << 32)
+        ));
+        let table = here!(_mm256_castpd_ps(Self::from_array(*table).0));
+        Self(here!(_mm256_castps_pd(_mm256_permutevar8x32_ps(
+            table, halves
+        ))))
+    }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        // What carries into the exponent is n; with 1024 added it is not negative. It is made a number
+        // as the lowest bits of one.
+        let above = here!(_mm256_sub_epi64(
+            self.bits(),
+            _mm256_set1_epi64x(ROOT_OF_HALF - (1024 << 52))
+        ));
+        let n = here!(_mm256_srli_epi64::<52>(above));
+        let shifted = here!(_mm256_sub_epi64(n, _mm256_set1_epi64x(1024)));
+        let m = here!(_mm256_sub_epi64(
+            self.bits(),
+            _mm256_slli_epi64::<52>(shifted)
+        ));
+        let whole = here!(_mm256_add_epi64(
+            shifted,
+            _mm256_set1_epi64x(WHOLE.to_bits() as i64)
+        ));
+        (
+            Self(here!(_mm256_castsi256_pd(m))),
+            Self(here!(_mm256_castsi256_pd(whole))) - WHOLE,
+        )
+    }
+    #[inline(always)]
+    fn raise(self, whole: Self) -> Self {
+        let added = here!(_mm256_slli_epi64::<50>(whole.bits()));
+        Self(here!(_mm256_castsi256_pd(_mm256_add_epi64(
+            self.bits(),
+            added
         ))))
     }
     #[inline(always)]

@@ -11,7 +11,7 @@ use std::arch::x86_64::*;
 use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::kernels::{Vector, WHOLE};
+use super::kernels::{ROOT_OF_HALF, Vector};
 use super::{Lanes, real_by_kernels};
 use crate::real::Real;
 
@@ -134,8 +134,7 @@ impl Real for F64x8 {
     }
     #[inline(always)]
     fn any_positive(self) -> bool {
-        let positive = Self::from_f64(0.0).less(self);
-        positive != 0
+        Self::any(Self::from_f64(0.0).less(self))
     }
     #[inline(always)]
     fn lookup(self, table: &[f64]) -> Self {
@@ -161,6 +160,10 @@ impl Vector for F64x8 {
         mask == u8::MAX
     }
     #[inline(always)]
+    fn any(mask: __mmask8) -> bool {
+        mask != 0
+    }
+    #[inline(always)]
     fn choose(mask: __mmask8, yes: Self, no: Self) -> Self {
         Self(here!(_mm512_mask_blend_pd(mask, no.0, yes.0)))
     }
@@ -183,15 +186,34 @@ impl Vector for F64x8 {
         self.flip(Self(here!(_mm512_castsi512_pd(shifted))))
     }
     #[inline(always)]
-    fn power_of_two(self) -> Self {
-        let exponent = here!(_mm512_add_epi64(self.bits(), _mm512_set1_epi64(1023)));
-        Self(here!(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(
-            exponent
-        ))))
+    fn zero_where(self, mask: __mmask8) -> Self {
+        Self(here!(_mm512_maskz_mov_pd(!mask, self.0)))
     }
     #[inline(always)]
-    fn scale(self, whole: Self) -> Self {
-        Self(here!(_mm512_scalef_pd(self.0, (whole - WHOLE).0)))
+    fn of_four(self, table: &[f64; 4]) -> Self {
+        // Twice, for the lowest three bits count.
+        let [a, b, c, d] = *table;
+        let twice = Self::from_array([a, b, c, d, a, b, c, d]);
+        Self(here!(_mm512_permutexvar_pd(self.bits(), twice.0)))
+    }
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        // What carries into the exponent is n.
+        let root = here!(_mm512_set1_epi64(ROOT_OF_HALF));
+        let n = here!(_mm512_srai_epi64::<52>(_mm512_sub_epi64(self.bits(), root)));
+        let m = here!(_mm512_sub_epi64(self.bits(), _mm512_slli_epi64::<52>(n)));
+        (
+            Self(here!(_mm512_castsi512_pd(m))),
+            Self(here!(_mm512_cvtepi64_pd(n))),
+        )
+    }
+    #[inline(always)]
+    fn raise(self, whole: Self) -> Self {
+        let added = here!(_mm512_slli_epi64::<50>(whole.bits()));
+        Self(here!(_mm512_castsi512_pd(_mm512_add_epi64(
+            self.bits(),
+            added
+        ))))
     }
     #[inline(always)]
     fn nearest(self) -> Self {

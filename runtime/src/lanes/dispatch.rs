@@ -22,9 +22,9 @@ pub const PATH_VARIABLE: &str = "FLEXURE_PATH";
 pub enum Path {
     /// Whatever the program was compiled for; four lanes.
     Portable,
-    /// AVX2 with FMA; four lanes.
+    /// AVX2 with FMA; eight lanes in two registers.
     Avx2,
-    /// AVX-512 (F and DQ), AVX2 and FMA; eight lanes.
+    /// AVX-512 (F and DQ), AVX2 and FMA; sixteen lanes in two registers.
     Avx512,
 }
 
@@ -78,8 +78,9 @@ impl Path {
     /// Number of lanes that [`on_path`] runs a task with.
     pub fn lanes(self) -> usize {
         match self {
-            Path::Portable | Path::Avx2 => 4,
-            Path::Avx512 => 8,
+            Path::Portable => 4,
+            Path::Avx2 => 8,
+            Path::Avx512 => 16,
         }
     }
 }
@@ -92,6 +93,22 @@ pub fn on_widest<K: Task>(task: K) -> K::Output {
 /// Runs a task on the widest lanes of a path; of the widest path that this machine has, if it lacks
 /// that one.
 pub fn on_path<K: Task>(path: Path, task: K) -> K::Output {
+    match path.or_available() {
+        Path::Portable => task.run::<Portable<4>>(),
+        // SAFETY: `or_available` gives a path whose instructions this machine has.
+        #[cfg(target_arch = "x86_64")]
+        Path::Avx2 => unsafe { x86::twice_four(task) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Path::Avx512 => unsafe { x86::twice_eight(task) },
+        #[cfg(not(target_arch = "x86_64"))]
+        Path::Avx2 | Path::Avx512 => task.run::<Portable<4>>(),
+    }
+}
+
+/// Runs a task on lanes that fill one register of a path; its result is, bit for bit, that of each
+/// lane in [`on_path`].
+pub fn on_path_in_one_register<K: Task>(path: Path, task: K) -> K::Output {
     match path.or_available() {
         Path::Portable => task.run::<Portable<4>>(),
         // SAFETY: `or_available` gives a path whose instructions this machine has.
@@ -121,7 +138,7 @@ pub fn on_path_alone<K: Task>(path: Path, task: K) -> K::Output {
 /// Tasks compiled for instructions: what is inlined into these functions is compiled for them.
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::super::{Task, avx2::F64x4, avx512::F64x8, scalar::Fused};
+    use super::super::{Task, avx2::F64x4, avx512::F64x8, pair::Pair, scalar::Fused};
 
     #[target_feature(enable = "avx2,fma")]
     pub(super) fn one<K: Task>(task: K) -> K::Output {
@@ -133,9 +150,19 @@ mod x86 {
         task.run::<F64x4>()
     }
 
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) fn twice_four<K: Task>(task: K) -> K::Output {
+        task.run::<Pair<F64x4>>()
+    }
+
     #[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
     pub(super) fn eight<K: Task>(task: K) -> K::Output {
         task.run::<F64x8>()
+    }
+
+    #[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
+    pub(super) fn twice_eight<K: Task>(task: K) -> K::Output {
+        task.run::<Pair<F64x8>>()
     }
 }
 
@@ -161,6 +188,10 @@ mod tests {
             assert_eq!(path.or_available(), path.min(available));
             assert_eq!(Path::asked(Some(path.name())), path.min(available));
             assert_eq!(on_path(path, Width), path.or_available().lanes());
+            assert_eq!(
+                on_path(path, Width) % on_path_in_one_register(path, Width),
+                0
+            );
             assert_eq!(on_path_alone(path, Width), 1);
         }
         assert_eq!(Path::asked(None), available);

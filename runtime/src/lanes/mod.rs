@@ -24,7 +24,9 @@
 //! | `asin`, `acos` | 3 |
 //!
 //! Angles may be as large as numbers go. Zeros, infinities and what is not a number are treated as
-//! C's functions of these names do.
+//! C's functions of these names do. Where the result of `exp` is smaller than a normal number it is
+//! zero: friction passes there all the time, and processors compute with subnormal numbers a hundred
+//! times as long.
 //!
 //! # Safety
 //!
@@ -41,11 +43,15 @@ mod avx512;
 #[allow(unsafe_code)]
 mod dispatch;
 pub(crate) mod kernels;
+#[cfg(target_arch = "x86_64")]
+mod pair;
 mod portable;
 mod scalar;
 mod system;
 
-pub use dispatch::{PATH_VARIABLE, Path, on_path, on_path_alone, on_widest};
+pub use dispatch::{
+    PATH_VARIABLE, Path, on_path, on_path_alone, on_path_in_one_register, on_widest,
+};
 pub use portable::Portable;
 pub use system::LaneSystem;
 

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::kernels::Vector;
+use super::kernels::{ROOT_OF_HALF, Vector};
 use super::{Lanes, real_by_kernels};
 use crate::real::Real;
 
@@ -24,6 +24,10 @@ macro_rules! vector_of_one {
             }
             #[inline(always)]
             fn all(mask: bool) -> bool {
+                mask
+            }
+            #[inline(always)]
+            fn any(mask: bool) -> bool {
                 mask
             }
             #[inline(always)]
@@ -49,9 +53,26 @@ macro_rules! vector_of_one {
                 $wrap(f64::from_bits($unwrap(self).to_bits() ^ sign))
             }
             #[inline(always)]
-            fn power_of_two(self) -> Self {
+            fn zero_where(self, mask: bool) -> Self {
+                if mask { $wrap(0.0) } else { self }
+            }
+            #[inline(always)]
+            fn of_four(self, table: &[f64; 4]) -> Self {
+                $wrap(table[($unwrap(self).to_bits() & 3) as usize])
+            }
+            #[inline(always)]
+            fn split(self) -> (Self, Self) {
+                let bits = $unwrap(self).to_bits() as i64;
+                // What carries into the exponent is n.
+                let n = bits.wrapping_sub(ROOT_OF_HALF) >> 52;
+                let m = f64::from_bits(bits.wrapping_sub(n << 52) as u64);
+                ($wrap(m), $wrap(n as f64))
+            }
+            #[inline(always)]
+            fn raise(self, whole: Self) -> Self {
+                let bits = $unwrap(self).to_bits();
                 $wrap(f64::from_bits(
-                    $unwrap(self).to_bits().wrapping_add(1023) << 52,
+                    bits.wrapping_add($unwrap(whole).to_bits() << 50),
                 ))
             }
         }
@@ -166,6 +187,10 @@ impl Real for Fused {
     #[inline(always)]
     fn times_plus(self, factor: Self, addend: Self) -> Self {
         Self(self.0.mul_add(factor.0, addend.0))
+    }
+    #[inline(always)]
+    fn plain(self) -> Option<f64> {
+        Some(self.0)
     }
     #[inline(always)]
     fn all_positive(self) -> bool {

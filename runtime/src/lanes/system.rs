@@ -16,6 +16,12 @@ pub trait LaneSystem: System {
     /// This parameter set in every lane.
     fn in_every_lane<L: Lanes>(&self) -> Self::InLanes<L>;
 
+    /// This parameter set for one trajectory alone, in every lane: also with what costs more in lanes
+    /// than it saves there. Results are not those of [`LaneSystem::in_every_lane`] to the last bit.
+    fn alone<L: Lanes>(&self) -> Self::InLanes<L> {
+        self.in_every_lane()
+    }
+
     /// Puts this parameter set into one lane, below [`Lanes::COUNT`]; the others stay. All must be
     /// of the same model.
     fn put_in_lane<L: Lanes>(&self, lane: usize, lanes: &mut Self::InLanes<L>);

@@ -57,27 +57,31 @@ type Functions<'f> = &'f mut dyn FnMut(f64, &[f64], &mut [f64]);
 
 impl<const N: usize> Table<f64, N> {
     /// A table of `closed_form`, functions of coordinate `which` of a system and its discrete state.
-    /// `coordinates` are the positions of all coordinates and of their rates among the states.
+    /// `coordinates` are the positions of all coordinates and of their rates among the states. The
+    /// first `rates` functions are fitted relative to their own size, the others, angles in rad and
+    /// squares of sines, to one at least.
     pub fn fit(
         system: &dyn System,
         coordinates: &[(usize, usize)],
         which: usize,
+        rates: usize,
         closed_form: impl Fn(f64, &[f64]) -> [f64; N],
     ) -> Self {
         let functions =
             &mut |q: f64, d: &[f64], out: &mut [f64]| out.copy_from_slice(&closed_form(q, d));
-        Self::new(&fit(system, coordinates, which, N, functions), 0)
+        let least: [f64; N] = std::array::from_fn(|k| if k < rates { 0.0 } else { 1.0 });
+        Self::new(&fit(system, coordinates, which, &least, functions), 0)
     }
 }
 
-/// Fits `count` functions of coordinate `which`, on an interval as wide as its expected motion with
+/// Fits functions of coordinate `which` whose sizes are taken to be `least` at least, on an interval as wide as its expected motion with
 /// a margin: wider while degree 7 suffices, narrower where degree 12 does not. The interval is empty
 /// if the functions cannot be had to rounding on any.
 pub fn fit(
     system: &dyn System,
     coordinates: &[(usize, usize)],
     which: usize,
-    count: usize,
+    least: &[f64],
     functions: Functions<'_>,
 ) -> Fit {
     let place = Place::new(system, coordinates[which].0);
@@ -85,7 +89,7 @@ pub fn fit(
     let first = reach.map_or(UNKNOWN, |reach| MARGIN * reach);
     let mut fits = ALLOWED
         .iter()
-        .filter_map(|&allowed| place.widest(first, allowed, count, functions));
+        .filter_map(|&allowed| place.widest(first, allowed, least, functions));
     fits.next().unwrap_or(Fit {
         center: place.center,
         half_width: 0.0,
@@ -98,7 +102,7 @@ pub fn fit(
 /// Expansions of functions on an interval.
 struct Expansion {
     half_width: f64,
-    /// Largest absolute values of the functions.
+    /// Largest absolute values of the functions, or what they are taken to be at least.
     sizes: Vec<f64>,
     /// Of each function.
     coefficients: Vec<[f64; NODES]>,
@@ -202,13 +206,13 @@ impl<'s> Place<'s> {
         &self,
         first: f64,
         allowed: f64,
-        count: usize,
+        least: &[f64],
         functions: Functions<'_>,
     ) -> Option<Fit> {
         let mut widest: Option<Fit> = None;
         let mut half_width = first;
         for _ in 0..MOST_CHANGES {
-            let expansion = self.expansion(half_width, count, functions);
+            let expansion = self.expansion(half_width, least, functions);
             let Some(expansion) = expansion.filter(|e| e.degree(NOISE) <= CHEAP_DEGREE) else {
                 break;
             };
@@ -224,7 +228,7 @@ impl<'s> Place<'s> {
             if widest.is_some() {
                 break;
             }
-            let expansion = self.expansion(half_width, count, functions);
+            let expansion = self.expansion(half_width, least, functions);
             widest = expansion.and_then(|e| self.checked(&e, allowed, functions));
             half_width *= 0.5;
         }
@@ -235,21 +239,21 @@ impl<'s> Place<'s> {
     fn expansion(
         &self,
         half_width: f64,
-        count: usize,
+        least: &[f64],
         functions: Functions<'_>,
     ) -> Option<Expansion> {
-        let grid = &self.grid;
+        let (grid, count) = (&self.grid, least.len());
         let rows = self.sample(half_width, &grid.nodes, count, functions)?;
         let below = grid
             .nodes
             .map(|node| node - self.stands_at(half_width, node));
         let (mut sizes, mut coefficients) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for f in 0..count {
+        for (f, least) in least.iter().enumerate() {
             let values: [f64; NODES] = std::array::from_fn(|j| rows[j * count + f]);
             sizes.push(
                 values
                     .iter()
-                    .fold(0.0, |size: f64, value| size.max(value.abs())),
+                    .fold(*least, |size, value| size.max(value.abs())),
             );
             coefficients.push(grid.expand_moved(&values, &below));
         }

@@ -11,9 +11,11 @@
 //! interval the closed form is evaluated.
 
 mod chebyshev;
+mod curve;
 mod fit;
 mod motion;
 
+pub use curve::{Curve, CurveReport};
 pub use fit::{Fit, fit};
 
 use crate::real::Real;
@@ -170,8 +172,11 @@ impl<T: Real, const N: usize> Table<T, N> {
         if !inside.any_positive() {
             return closed_form;
         }
-        let near = self.polynomials(coordinate);
-        std::array::from_fn(|k| inside.if_positive(near[k], closed_form[k]))
+        let mut near = self.polynomials(coordinate);
+        for k in 0..N {
+            near[k] = inside.if_positive(near[k], closed_form[k]);
+        }
+        near
     }
 
     /// Positive where the coordinate is inside the interval.
@@ -184,33 +189,46 @@ impl<T: Real, const N: usize> Table<T, N> {
     #[inline(always)]
     pub fn polynomials(&self, coordinate: T) -> [T; N] {
         let s = (coordinate - self.center) * self.per_half_width;
-        // Straight code for each number of groups: a loop would take the functions out of their
+        // Straight code for each degree that is usual: a loop would take the functions out of their
         // vectors and put them back at every turn. Coefficients beyond the degree are zero.
-        match self.degree / GROUP {
-            0 | 1 => self.up_to::<1>(s),
-            2 => self.up_to::<2>(s),
-            _ => self.up_to::<{ GROUPS - 1 }>(s),
+        match self.degree {
+            0..=5 => self.up_to::<5>(s),
+            6 => self.up_to::<6>(s),
+            7 => self.up_to::<7>(s),
+            8..=11 => self.up_to::<11>(s),
+            _ => self.up_to::<LARGEST_DEGREE>(s),
         }
     }
 
     /// Groups of powers side by side (Estrin's scheme), which takes half the time of one power after
     /// the other.
     #[inline(always)]
-    fn up_to<const LAST: usize>(&self, s: T) -> [T; N] {
+    fn up_to<const DEGREE: usize>(&self, s: T) -> [T; N] {
         let square = s * s;
         let fourth = square * square;
-        let group = |i: usize| -> [T; N] {
-            let c = &self.coefficients[i];
-            std::array::from_fn(|k| {
-                let low = c[1][k].times_plus(s, c[0][k]);
-                c[3][k].times_plus(s, c[2][k]).times_plus(square, low)
-            })
-        };
-        let mut sums = group(LAST);
-        for i in (0..LAST).rev() {
-            let next = group(i);
-            sums = std::array::from_fn(|k| sums[k].times_plus(fourth, next[k]));
+        let last = DEGREE / GROUP;
+        let mut sums = self.coefficients[last][0];
+        for k in 0..N {
+            sums[k] = self.group::<DEGREE>(last, k, s, square);
+        }
+        for i in (0..last).rev() {
+            for k in 0..N {
+                sums[k] = sums[k].times_plus(fourth, self.group::<DEGREE>(i, k, s, square));
+            }
         }
         sums
+    }
+
+    /// One group of powers of one function, without those above the degree.
+    #[inline(always)]
+    fn group<const DEGREE: usize>(&self, i: usize, k: usize, s: T, square: T) -> T {
+        let c = &self.coefficients[i];
+        let low = || c[1][k].times_plus(s, c[0][k]);
+        match DEGREE - GROUP * i {
+            0 => c[0][k],
+            1 => low(),
+            2 => c[2][k].times_plus(square, low()),
+            _ => c[3][k].times_plus(s, c[2][k]).times_plus(square, low()),
+        }
     }
 }

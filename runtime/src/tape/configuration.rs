@@ -67,7 +67,8 @@ impl Configurations<f64> {
                     let tape = &configuration.functions;
                     tape.evaluate(image, arguments, &program.tables, out);
                 };
-                let fit = fit(system, &program.coordinates, which, count, functions);
+                let least = vec![0.0; count];
+                let fit = fit(system, &program.coordinates, which, &least, functions);
                 let groups = (0..count).step_by(WIDTH);
                 groups.map(|first| Table::new(&fit, first)).collect()
             })

@@ -226,6 +226,11 @@ impl Reference {
         }
     }
 
+    /// √x of a positive number.
+    pub fn sqrt(&self, x: f64) -> Fixed {
+        Fixed::new(x, enough(x)).root()
+    }
+
     /// e to the power `x`.
     pub fn exp(&self, x: f64) -> Fixed {
         self.exp_fixed(&Fixed::new(x, enough(x).min(1400)))

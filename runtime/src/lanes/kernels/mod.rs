@@ -23,6 +23,9 @@ pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// to a whole one.
 const LARGEST_FRACTION: f64 = 4_503_599_627_370_496.0;
 
+/// Bits of √½.
+pub(super) const ROOT_OF_HALF: i64 = 0x3fe6_a09e_667f_3bcd;
+
 /// What kernels need of lanes beyond arithmetic: masks and bits.
 pub(crate) trait Vector: Lanes {
     /// A choice for each entry.
@@ -40,6 +43,9 @@ pub(crate) trait Vector: Lanes {
     /// Whether it is true of every entry.
     fn all(mask: Self::Mask) -> bool;
 
+    /// Whether it is true of any entry.
+    fn any(mask: Self::Mask) -> bool;
+
     /// `yes` where `mask` is true, else `no`.
     fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
@@ -55,16 +61,18 @@ pub(crate) trait Vector: Lanes {
     /// This with its sign turned where the second lowest bit of `bits` is set.
     fn flip_by_second_bit(self, bits: Self) -> Self;
 
-    /// 2ⁿ for `self = WHOLE + n` and -1022 ≤ n ≤ 1023.
-    fn power_of_two(self) -> Self;
+    /// This, but zero where `mask` is true.
+    fn zero_where(self, mask: Self::Mask) -> Self;
 
-    /// This times 2ⁿ for `WHOLE + n` and -1100 ≤ n ≤ 1100, rounded once.
-    #[inline(always)]
-    fn scale(self, whole: Self) -> Self {
-        let half = (whole - WHOLE) * 0.5 + WHOLE;
-        let rest = whole - (half - WHOLE);
-        self * half.power_of_two() * rest.power_of_two()
-    }
+    /// For `self = WHOLE + n`: entry n mod 4 of a table.
+    fn of_four(self, table: &[f64; 4]) -> Self;
+
+    /// This with n·2⁵⁰ added to its bits, for `whole = WHOLE + n`: where four divides n, times
+    /// 2^(n/4).
+    fn raise(self, whole: Self) -> Self;
+
+    /// `(m, n)` of `self = m·2ⁿ` with √½ ≤ m < √2, for a positive normal number.
+    fn split(self) -> (Self, Self);
 
     /// The nearest whole number, the even one of two; a zero keeps its sign.
     #[inline(always)]
