@@ -91,7 +91,15 @@ fn with_oscillator(name: &str) -> PathBuf {
 #[test]
 fn help_has_examples_everywhere() {
     let here = folder("help");
-    for subcommand in ["new", "check", "derive", "emit", "simulate"] {
+    for subcommand in [
+        "new",
+        "check",
+        "derive",
+        "emit",
+        "simulate",
+        "response",
+        "sensitivity",
+    ] {
         let answer = flexure(&here, &[subcommand, "--help"]).is(0);
         assert!(answer.out.contains("Examples:"), "{}", answer.out);
         assert!(answer.out.contains(&format!("flexure {subcommand}")));

@@ -1,9 +1,11 @@
 //! What `response` and `sensitivity` share: an actuator, the frequencies at which it is driven, and
 //! the speed that is asked for.
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 use flexure::model_dsl::units::Dimension;
-use flexure::response::{Cycles, Outcome, Quantity, Response, Speed, response};
+use flexure::response::{Cycles, Outcome, Quantity, Response, Settle, Speed, response};
 use flexure::runtime::diagnostic::Diagnostic;
 use flexure::runtime::system::System;
 use flexure::{Design, Model};
@@ -11,6 +13,7 @@ use indicatif::ProgressBar;
 
 use super::Failure;
 use super::axis::Axis;
+use super::output::{OutputFile, spare_model};
 use super::settings::{Chosen, Settings, tolerance};
 use super::terminal::{PROGRESS_STEPS, Terminal};
 
@@ -130,6 +133,22 @@ impl Actuation {
         Ok((name, values))
     }
 
+    /// Opens a file for results, so that a wrong place shows before the work.
+    ///
+    /// # Errors
+    ///
+    /// If it is the model, or cannot be written.
+    pub fn open(&self, path: Option<&Path>) -> Result<Option<ResultFile>, Failure> {
+        let Some(path) = path else {
+            return Ok(None);
+        };
+        spare_model(path, &self.settings.file)?;
+        Ok(Some(ResultFile {
+            path: path.to_owned(),
+            file: OutputFile::create(path)?,
+        }))
+    }
+
     /// The cycles that are measured.
     pub fn measured(&self) -> Cycles {
         Cycles {
@@ -138,15 +157,15 @@ impl Actuation {
         }
     }
 
-    /// Drives each of `designs` at each of `frequencies`; outcomes design by design. `adjust` is
-    /// said what is asked for besides the mean over the stated cycles.
+    /// Drives each of `designs` at each of `frequencies`, over the stated cycles or until motions
+    /// have settled; outcomes design by design.
     pub fn drive(
         &self,
         actuator: &Actuator,
         designs: &[Design],
         frequencies: &[f64],
         bar: &ProgressBar,
-        until_settled: Option<flexure::response::Settle>,
+        until_settled: Option<Settle>,
     ) -> Vec<Vec<Outcome>> {
         let all = frequencies.repeat(designs.len());
         let prepare = |index: usize| {
@@ -170,6 +189,25 @@ impl Actuation {
             .chunks(frequencies.len().max(1))
             .map(<[Outcome]>::to_vec)
             .collect()
+    }
+}
+
+/// A file for results.
+pub struct ResultFile {
+    path: PathBuf,
+    file: OutputFile,
+}
+
+impl ResultFile {
+    /// Writes it and says so.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be completed.
+    pub fn finish_with(self, text: &str, terminal: &Terminal) -> Result<(), Failure> {
+        self.file.finish_with(text)?;
+        terminal.note(format_args!("wrote {}", self.path.display()));
+        Ok(())
     }
 }
 

@@ -63,14 +63,32 @@ impl Axis {
         }
         Ok(())
     }
+
+    /// The values at a position, for people: `Fp = 5 N`, `mu_s = 0.3, mu_c = 0.2`; neighbours that
+    /// have the same value are `beta1 = beta2 = 0.1`.
+    pub fn described(&self, index: usize, model: &Model) -> String {
+        let shown = |(name, &value): (&String, &f64)| shown(name, value, model);
+        let values: Vec<String> = self
+            .names
+            .iter()
+            .zip(&self.values[index])
+            .map(shown)
+            .collect();
+        let mut text = String::new();
+        for (position, name) in self.names.iter().enumerate() {
+            text.push_str(name);
+            text.push_str(" = ");
+            let next = values.get(position + 1);
+            if next != Some(&values[position]) {
+                text.push_str(&values[position]);
+                text.push_str(if next.is_some() { ", " } else { "" });
+            }
+        }
+        text
+    }
 }
 
-/// A value with its unit, for people: `mu_s = 0.3`, `Fp = 5 N`.
-pub fn assigned(name: &str, value: f64, model: &Model) -> String {
-    format!("{name} = {}", shown(name, value, model))
-}
-
-/// The same without the name.
+/// A value of a param with its unit, for people: `5 N`.
 pub fn shown(name: &str, value: f64, model: &Model) -> String {
     let params = model.params().iter().zip(&model.equations().params);
     let found = params.into_iter().find(|(param, _)| param.name == name);
@@ -180,6 +198,20 @@ mod tests {
             [[0.15, 0.10], [0.3, 0.2]]
         );
         assert_eq!(values("mu_s,mu_c=0.1;0.2"), [[0.1, 0.1], [0.2, 0.2]]);
+    }
+
+    #[test]
+    fn values_are_described_for_people() {
+        let described = |written: &str| {
+            let model = model();
+            Axis::parse(written, &model).unwrap().described(0, &model)
+        };
+        assert_eq!(described("f=1200Hz"), "f = 1.2 kHz");
+        assert_eq!(described("mu_s,mu_c=0.15,0.10"), "mu_s = 0.15, mu_c = 0.1");
+        assert_eq!(
+            described("Fp,mu_s,mu_c=3,0.2,0.2"),
+            "Fp = 3 N, mu_s = mu_c = 0.2"
+        );
     }
 
     #[test]

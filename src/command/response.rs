@@ -7,14 +7,16 @@ use std::path::PathBuf;
 use clap::Args;
 use flexure::Design;
 use flexure::response::{
-    DEFINITIONS, Deviation, Experiment, LinearRegime, Motion, Outcome, Settle, linear_regime,
+    DEFINITIONS, Definition, Deviation, Experiment, LinearRegime, Motion, Outcome, Settle,
+    linear_regime,
 };
 use flexure::runtime::diagnostic::Diagnostic;
 
 use super::actuator::{Actuation, Actuator};
-use super::axis::{Axis, assigned};
+use super::axis::Axis;
 use super::columns::columns;
-use super::output::{OutputFile, spare_model};
+use super::output::same_file;
+use super::plot::frequency::{FrequencyCurve, FrequencyFigure, standalone};
 use super::plot::scale::{self, DisplayUnit};
 use super::settings::tolerance;
 use super::terminal::Terminal;
@@ -54,6 +56,17 @@ pub struct Arguments {
     /// File for the table of points
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
+    /// Picture of the curves
+    #[arg(long, value_name = "OUT.svg", value_parser = picture)]
+    plot: Option<PathBuf>,
+}
+
+fn picture(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    match path.extension() {
+        Some(extension) if extension == "svg" => Ok(path),
+        _ => Err("a picture of a response is a file that ends in .svg".to_owned()),
+    }
 }
 
 /// A curve of the family.
@@ -81,13 +94,16 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         .map(|path| Experiment::from_path(path, &actuator.speed_unit))
         .transpose()
         .map_err(Failure::model)?;
-    let table = match &arguments.output {
-        Some(path) => {
-            spare_model(path, &actuation.settings.file)?;
-            Some(OutputFile::create(path)?)
-        }
-        None => None,
-    };
+    if let (Some(output), Some(plot)) = (&arguments.output, &arguments.plot)
+        && same_file(output, plot)
+    {
+        return Err(Failure::usage(format!(
+            "`{}` cannot be both the table and the picture",
+            plot.display()
+        )));
+    }
+    let table = actuation.open(arguments.output.as_deref())?;
+    let plot = actuation.open(arguments.plot.as_deref())?;
     let frequencies = with_measured(&actuator.frequencies, experiment.as_ref(), terminal);
     let settle = arguments.settle.map(|tolerance| Settle {
         tolerance,
@@ -114,10 +130,10 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     print(|out| out.write_all(study.report().as_bytes()))?;
     study.say_failures(terminal);
     if let Some(table) = table {
-        table.finish_with(&study.table())?;
-        if let Some(path) = &arguments.output {
-            terminal.note(format_args!("wrote {}", path.display()));
-        }
+        table.finish_with(&study.table(), terminal)?;
+    }
+    if let Some(plot) = plot {
+        plot.finish_with(&study.figure(), terminal)?;
     }
     Ok(())
 }
@@ -170,10 +186,9 @@ impl Family {
             for (index, more) in axis.values.iter().enumerate() {
                 let mut design = design.clone();
                 axis.apply(index, &mut design)?;
-                let pairs = axis.names.iter().zip(more);
-                let words = pairs.map(|(name, &value)| assigned(name, value, actuator.model()));
-                let labels = Some(label.clone()).filter(|label| !label.is_empty());
-                let labels: Vec<String> = labels.into_iter().chain(words).collect();
+                let before = Some(label.clone()).filter(|label| !label.is_empty());
+                let now = axis.described(index, actuator.model());
+                let labels: Vec<String> = before.into_iter().chain([now]).collect();
                 self.labels.push(labels.join(", "));
                 self.values.push([values.as_slice(), more].concat());
                 self.designs.push(design);
@@ -362,7 +377,7 @@ impl Study<'_> {
                 let mut row = vec![name];
                 match linear_regime(&points, definition) {
                     Some(found) => row.extend(self.regime(&found)),
-                    None => row.push("none".to_owned()),
+                    None => row.push(too_short(&points, definition)),
                 }
                 row
             })
@@ -414,6 +429,28 @@ impl Study<'_> {
             row
         });
         columns(&headings, &rows.collect::<Vec<_>>())
+    }
+
+    /// The curves as SVG, with the linear regimes from the lowest frequency.
+    fn figure(&self) -> String {
+        let curve = |curve: &Curve| {
+            let points = self.curve(curve);
+            let ends = |found: LinearRegime| {
+                [found.from, found.to].map(|f| (f, found.intercept + found.slope * f))
+            };
+            FrequencyCurve {
+                name: curve.label.clone(),
+                line: linear_regime(&points, &DEFINITIONS[3]).map(ends),
+                points,
+            }
+        };
+        standalone(&FrequencyFigure {
+            title: self.actuator.model().name(),
+            speed: &self.arguments.actuation.speed,
+            unit: &self.actuator.speed_unit,
+            curves: self.curves.iter().map(curve).collect(),
+            measured: self.experiment.map_or(&[], |e| &e.points),
+        })
     }
 
     /// The points as a table of comma-separated values.
@@ -497,6 +534,18 @@ impl Study<'_> {
             };
             terminal.note(format_args!("failed: {shown}{more}: {reason}"));
         }
+    }
+}
+
+/// Where there is no linear regime: whether one fits that has too few points.
+fn too_short(points: &[(f64, f64)], definition: &Definition) -> String {
+    let shorter = Definition {
+        least_points: DEFINITIONS[0].least_points,
+        ..*definition
+    };
+    match linear_regime(points, &shorter) {
+        Some(found) => format!("none: {} points to {}", found.points, hertz(found.to)),
+        None => "none".to_owned(),
     }
 }
 

@@ -14,7 +14,6 @@ use flexure::runtime::diagnostic::Diagnostic;
 use super::actuator::{Actuation, Actuator};
 use super::axis::shown;
 use super::columns::columns;
-use super::output::{OutputFile, spare_model};
 use super::plot::scale;
 use super::terminal::Terminal;
 use super::{Failure, csv, print};
@@ -60,13 +59,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     let actuation = &arguments.actuation;
     let actuator = actuation.choose(terminal)?;
     let (variations, designs) = varied(arguments, &actuator).map_err(Failure::setting)?;
-    let table = match &arguments.output {
-        Some(path) => {
-            spare_model(path, &actuation.settings.file)?;
-            Some(OutputFile::create(path)?)
-        }
-        None => None,
-    };
+    let table = actuation.open(arguments.output.as_deref())?;
     let bar = terminal.progress();
     let all = actuation.drive(&actuator, &designs, &actuator.frequencies, &bar, None);
     bar.finish_and_clear();
@@ -79,10 +72,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     print(|out| out.write_all(study.report().as_bytes()))?;
     study.say_failures(terminal);
     if let Some(table) = table {
-        table.finish_with(&study.table())?;
-        if let Some(path) = &arguments.output {
-            terminal.note(format_args!("wrote {}", path.display()));
-        }
+        table.finish_with(&study.table(), terminal)?;
     }
     Ok(())
 }

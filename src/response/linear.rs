@@ -26,25 +26,25 @@ pub struct Definition {
 /// The published definition and the anchored one, each with R² above 0.98 and above 0.95.
 pub const DEFINITIONS: [Definition; 4] = [
     Definition {
-        name: "any window, R² > 0.98",
+        name: "any window with R² > 0.98",
         is_anchored: false,
         threshold: 0.98,
         least_points: 3,
     },
     Definition {
-        name: "any window, R² > 0.95",
+        name: "any window with R² > 0.95",
         is_anchored: false,
         threshold: 0.95,
         least_points: 3,
     },
     Definition {
-        name: "from the lowest, R² > 0.98",
+        name: "from the lowest with R² > 0.98",
         is_anchored: true,
         threshold: 0.98,
         least_points: 5,
     },
     Definition {
-        name: "from the lowest, R² > 0.95",
+        name: "from the lowest with R² > 0.95",
         is_anchored: true,
         threshold: 0.95,
         least_points: 5,
