@@ -3,6 +3,7 @@
 
 mod support;
 
+use flexure_models::double_rocker::Params;
 use flexure_runtime::simulate::{Run, simulate};
 use flexure_runtime::system::System;
 use flexure_runtime::table::TableReport;
@@ -146,12 +147,12 @@ fn random_four_bars() {
 }
 
 /// Rows every 0.1 ms of twenty cycles of the drive, by equal steps.
-fn twenty_cycles(system: &TapePrepared) -> Run {
+fn twenty_cycles(system: &dyn System, energy: bool) -> Run {
     simulate(system)
         .until(20e-3)
         .dt(2.5e-7)
         .every(1e-4)
-        .energy(true)
+        .energy(energy)
         .run()
         .unwrap()
 }
@@ -160,9 +161,36 @@ fn twenty_cycles(system: &TapePrepared) -> Run {
 fn the_same_twenty_cycles() {
     let tabulated = tape(&shipped("double_rocker"), &[]);
     let exact = tabulated.clone().exact();
-    let (by_table, closed) = (twenty_cycles(&tabulated), twenty_cycles(&exact));
+    let (by_table, closed) = (twenty_cycles(&tabulated, true), twenty_cycles(&exact, true));
     assert_eq!(by_table.statistics().outside_tables, 0);
-    for state in tabulated.states() {
+    same(&tabulated, &by_table, &closed);
+    let largest = |run: &Run, column: &str| {
+        let values = run.column(column);
+        values.values().iter().map(|x| x.abs()).fold(0.0, f64::max)
+    };
+    let [with, without] = [&by_table, &closed].map(|run| largest(run, "energy.balance"));
+    let supplied = largest(&closed, "energy.supplied");
+    println!("balance {with:e}, {without:e} in closed form, of {supplied:e}");
+    assert!(with <= without + 1e-12 * supplied, "{with:e} {without:e}");
+}
+
+/// A compiled model has a curve besides.
+#[test]
+fn the_same_twenty_cycles_compiled() {
+    let tabulated = Params::default().prepare().unwrap();
+    assert_eq!(tabulated.curves().len(), 1);
+    let exact = tabulated.clone().exact();
+    assert!(exact.curves().is_empty());
+    let (by_table, closed) = (
+        twenty_cycles(&tabulated, false),
+        twenty_cycles(&exact, false),
+    );
+    same(&tabulated, &by_table, &closed);
+}
+
+/// Two runs of a system are the same motion.
+fn same(system: &dyn System, by_table: &Run, closed: &Run) {
+    for state in system.states() {
         let (a, b) = (by_table.column(&state.name), closed.column(&state.name));
         let start = b.values()[0];
         let size = b
@@ -175,14 +203,6 @@ fn the_same_twenty_cycles() {
         println!("{}: {:.1e}", state.name, error / size);
         assert!(error <= 1e-9 * size, "{}: {:e}", state.name, error / size);
     }
-    let largest = |run: &Run, column: &str| {
-        let values = run.column(column);
-        values.values().iter().map(|x| x.abs()).fold(0.0, f64::max)
-    };
-    let [with, without] = [&by_table, &closed].map(|run| largest(run, "energy.balance"));
-    let supplied = largest(&closed, "energy.supplied");
-    println!("balance {with:e}, {without:e} in closed form, of {supplied:e}");
-    assert!(with <= without + 1e-12 * supplied, "{with:e} {without:e}");
 }
 
 #[test]

@@ -7,8 +7,9 @@
 //! A rate is first written as a sum of coefficients that depend on one coordinate times what does
 //! not: products are distributed over sums that nothing else uses, so that 1/A and its like go into
 //! the coefficients. Then every value of one coordinate alone that something else is computed of
-//! is a function of the cut, unless it costs no more than a table's entry does. What is computed
-//! stays the same in closed form.
+//! is a function of the cut, unless it costs no more than a table's entry does. Where there is a
+//! table, what the end of a step needs of the same coordinate (turn references, closures) is in it
+//! too. What is computed stays the same in closed form.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 

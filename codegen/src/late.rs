@@ -179,23 +179,39 @@ fn latency(values: &Values, value: Value) -> u32 {
     }
 }
 
-/// When the values of the state stage that `function` needs are known, in cycles from its start. What
-/// depends on coordinates alone is known then: coordinates follow from the rates of the stage before.
+/// When values of the state stage are known, in cycles from the start of a function. What depends on
+/// coordinates, time and inputs alone is known then: coordinates follow from the rates of the stage
+/// before.
 struct Arrivals(HashMap<Value, u32>);
 
 impl Arrivals {
     fn new(values: &Values, roots: impl IntoIterator<Item = Value>) -> Self {
         let mut arrivals = Self(HashMap::new());
         for value in moving(values, roots) {
-            let operands = values.operands(value).map(|operand| arrivals.of(operand));
-            let known = operands.max().unwrap_or(0) + latency(values, value);
-            arrivals.0.insert(value, known);
+            let mut latest = None;
+            for operand in values.operands(value) {
+                let is_rate = matches!(values.node(operand), Node::State(_))
+                    && values.stage(operand) == Stage::State;
+                latest = latest.max(if is_rate {
+                    Some(0)
+                } else {
+                    arrivals.own(operand)
+                });
+            }
+            if let Some(latest) = latest {
+                arrivals.0.insert(value, latest + latency(values, value));
+            }
         }
         arrivals
     }
 
+    /// `None` if the value is known from the start.
+    fn own(&self, value: Value) -> Option<u32> {
+        self.0.get(&value).copied()
+    }
+
     fn of(&self, value: Value) -> u32 {
-        self.0.get(&value).copied().unwrap_or(0)
+        self.own(value).unwrap_or(0)
     }
 }
 
@@ -209,7 +225,7 @@ fn moving(values: &Values, roots: impl IntoIterator<Item = Value>) -> Vec<Value>
 fn latest(values: &Values, function: &Function) -> Option<Value> {
     let all = moving(values, function.roots());
     let arrivals = Arrivals::new(values, function.roots());
-    let is_long = |value: Value| latency(values, value) >= LONG;
+    let is_long = |value: Value| latency(values, value) >= LONG && arrivals.own(value).is_some();
     let mut is_waited_for: HashMap<Value, bool> = HashMap::new();
     for &value in all.iter().rev() {
         let waited = is_waited_for.get(&value).copied().unwrap_or(false);

@@ -11,7 +11,8 @@
 //! The [`Program`] sorts every value by its binding time ([`Stage`]): constants are
 //! computed here, what depends on params alone once in `prepare`, the rest in each evaluation,
 //! configuration first. Everything that back ends have in common (sharing, sines from geometry,
-//! derivatives, stages) is done before they start, so that they only write down.
+//! derivatives, stages) is done before they start, so that they only write down. What pays in compiled
+//! code alone is in the functions of [`Compiled`].
 
 mod assemble;
 mod curves;

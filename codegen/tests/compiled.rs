@@ -9,9 +9,10 @@ mod support;
 
 use flexure_model_dsl::equations::Equations;
 use flexure_runtime::dual::Dual;
+use flexure_runtime::lanes::LaneSystem;
 use flexure_runtime::real::Real;
 use flexure_runtime::system::System;
-use support::agreement::{Place, compare, places};
+use support::agreement::{Place, compare, compare_rates, places};
 
 /// Compares the Jacobian with one dual evaluation of the right-hand side for each state.
 fn compare_jacobian(name: &str, system: &dyn System, rhs: &dyn Fn(&Place, usize) -> Vec<Dual>) {
@@ -121,6 +122,12 @@ macro_rules! compiled {
                     Ok(prepared) => Ok(start(&prepared)),
                     Err(diagnostic) => Err(diagnostic.to_string()),
                 }
+            });
+            let alone: Prepared<f64> = prepared.alone();
+            compare_rates(&equations(name), &params.values(), &prepared, &|place| {
+                let mut result = vec![0.0; place.x.len()];
+                alone.rhs(place.t, &place.x, &place.d, &place.u, &mut result);
+                result
             });
             let dual: Prepared<Dual> = prepared.map(Dual::from_f64);
             compare_jacobian(name, &prepared, &|place, column| {

@@ -9,6 +9,7 @@
 
 use std::borrow::Cow;
 
+use crate::simulate::PlainSteps;
 use crate::table::{CurveReport, TableReport};
 
 /// What a variable is to the system.
@@ -143,4 +144,8 @@ pub trait System: Send + Sync {
     fn is_outside_tables(&self, _x: &[f64]) -> bool {
         false
     }
+
+    /// Takes steps that ask for nothing but the right-hand side by a way of its own, if it has one:
+    /// [`PlainSteps::on_lanes`] where the system is a [`LaneSystem`](crate::lanes::LaneSystem).
+    fn take_plain_steps(&self, _steps: &mut PlainSteps<'_>) {}
 }

@@ -7,7 +7,7 @@ use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::lanes::{LaneSystem, Lanes, Portable};
 use flexure_runtime::real::Real;
 use flexure_runtime::simulate::{
-    BreakdownKind, Ending, Ensemble, Trajectory, TrajectoryFailure, ensemble, simulate,
+    BreakdownKind, Ending, Ensemble, PlainSteps, Trajectory, TrajectoryFailure, ensemble, simulate,
 };
 use flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
 
@@ -130,10 +130,17 @@ impl System for Ball<f64> {
     fn loop_name(&self, _: usize) -> &str {
         "ceiling"
     }
+    fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+        steps.on_lanes(self);
+    }
 }
 
 impl LaneSystem for Ball<f64> {
     type InLanes<L: Lanes> = Ball<L>;
+    type States<L: Lanes> = [L; 2];
+    type Discretes<L: Lanes> = Vec<L>;
+    type Loops<L: Lanes> = [L; 1];
+    type Events<L: Lanes> = [L; 1];
 
     fn in_every_lane<L: Lanes>(&self) -> Ball<L> {
         self.map(L::from_f64)

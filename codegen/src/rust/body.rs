@@ -1,6 +1,6 @@
 //! Bodies of functions: a `let` for what is shared or named, everything else nested.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use flexure_runtime::tape::Operation;
 use proc_macro2::TokenStream;
@@ -215,6 +215,22 @@ impl<'w, 'p> Body<'w, 'p> {
                 _ => None,
             })
             .collect();
+        let is_product =
+            |value: Value| matches!(values.node(value), Node::Apply(Operation::Multiply, _));
+        let is_sum = |value: Value| {
+            values.stage(value) == Stage::State
+                && matches!(
+                    values.node(value),
+                    Node::Apply(Operation::Add | Operation::Subtract, _)
+                )
+        };
+        let sums = order
+            .iter()
+            .filter(|value| self.is_fused && is_sum(**value));
+        let summed: HashSet<Value> = sums
+            .flat_map(|value| values.operands(*value))
+            .filter(|value| is_product(*value))
+            .collect();
         for &value in order {
             if self.pieces.contains_key(&value) {
                 continue;
@@ -246,13 +262,15 @@ impl<'w, 'p> Body<'w, 'p> {
                 None
             };
             let piece = piece.unwrap_or_else(|| self.expression(value, operation, operands));
+            // A product that will be fused stays one.
+            let is_kept = is_inner(value) && summed.contains(&value);
             let is_named = self.writer.program.names.contains_key(&value);
             let is_shared = uses.get(&value).is_some_and(|count| *count > 1);
             let is_trivial = operation == Operation::Negate && piece.length <= 20;
             if is_named
                 || pivots.contains(&value)
                 || (is_shared && !is_trivial)
-                || piece.length > LINE
+                || (piece.length > LINE && !is_kept)
             {
                 self.bind(value, &piece.tokens);
             } else {

@@ -195,6 +195,24 @@ pub(super) fn of_system(program: &Program) -> TokenStream {
     }
 }
 
+/// Functions of `LaneSystem` on tables; nothing where there are none.
+pub(super) fn of_lane_system(program: &Program) -> TokenStream {
+    if program.configurations.is_empty() {
+        return quote!();
+    }
+    let outside = program.configurations.iter().map(|configuration| {
+        let field = ident(&table_field(program, configuration));
+        let coordinate = unsuffixed(configuration.coordinate as usize);
+        quote!(.larger(lanes.#field.left_by(x[#coordinate])))
+    });
+    quote! {
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0)#(#outside)*
+        }
+    }
+}
+
 fn each(
     program: &Program,
     write: impl Fn(&proc_macro2::Ident, &Configuration) -> TokenStream,

@@ -4,10 +4,17 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::Writer;
-use super::curve;
+use super::expression::unsuffixed;
+use super::{configuration, curve};
 
 /// The implementation, by the functions that are generic over numbers anyway.
 pub(super) fn lane_system(writer: &Writer<'_>) -> TokenStream {
+    let program = writer.program;
+    let states = unsuffixed(program.states.len());
+    let discretes = unsuffixed(program.discretes.len());
+    let loops = unsuffixed(program.loop_names.len());
+    let events = unsuffixed(program.event_rows.len());
+    let tables = configuration::of_lane_system(program);
     let fitted = curve::fitted(writer);
     let alone = (!fitted.is_empty()).then(|| {
         quote! {
@@ -25,6 +32,10 @@ pub(super) fn lane_system(writer: &Writer<'_>) -> TokenStream {
     quote! {
         impl LaneSystem for Prepared<f64> {
             type InLanes<L: Lanes> = Prepared<L>;
+            type States<L: Lanes> = [L; #states];
+            type Discretes<L: Lanes> = [L; #discretes];
+            type Loops<L: Lanes> = [L; #loops];
+            type Events<L: Lanes> = [L; #events];
 
             fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
                 self.map(L::from_f64)
@@ -60,6 +71,7 @@ pub(super) fn lane_system(writer: &Writer<'_>) -> TokenStream {
                     #functions(t, array(x), array(d), array(u), lanes, array_mut(result));
                 }
             )*
+            #tables
         }
     }
 }

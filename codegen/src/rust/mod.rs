@@ -106,6 +106,7 @@ fn module(
             use #runtime::lanes::{LaneSystem, Lanes};
             use #runtime::newton;
             use #runtime::real::Real;
+            use #runtime::simulate::PlainSteps;
             use #runtime::system::{Causality, Energy, EventAction, System, Variable};
             use #runtime::table::{Curve, CurveReport, Table, TableReport};
 

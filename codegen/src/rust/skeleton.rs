@@ -115,6 +115,10 @@ pub fn skeleton(
 
             impl LaneSystem for Prepared<f64> {
                 type InLanes<L: Lanes> = ();
+                type States<L: Lanes> = [L; 0];
+                type Discretes<L: Lanes> = [L; 0];
+                type Loops<L: Lanes> = [L; 0];
+                type Events<L: Lanes> = [L; 0];
                 fn in_every_lane<L: Lanes>(&self) {}
                 fn put_in_lane<L: Lanes>(&self, _: usize, _: &mut ()) {}
                 fn rhs_in_lanes<L: Lanes>(_: &(), _: L, _: &[L], _: &[L], _: &[L], _: &mut [L]) {}

@@ -117,6 +117,9 @@ pub(super) fn system(writer: &Writer<'_>) -> TokenStream {
             }
             #tables
             #curves
+            fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+                steps.on_lanes(self);
+            }
         }
     }
 }

@@ -22,6 +22,7 @@ pub mod andrews {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -2140,9 +2141,16 @@ pub mod andrews {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_β.is_left_by(x[0])
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 2];
+        type Discretes<L: Lanes> = [L; 6];
+        type Loops<L: Lanes> = [L; 3];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }
@@ -2199,6 +2207,10 @@ pub mod andrews {
             result: &mut [L],
         ) {
             closures(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0).larger(lanes.table_of_β.left_by(x[0]))
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

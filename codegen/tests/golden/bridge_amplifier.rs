@@ -19,6 +19,7 @@ pub mod bridge_amplifier {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -232,7 +233,6 @@ pub mod bridge_amplifier {
                 half_k: k * 0.5,
                 half_ks: ks * 0.5,
                 per_l_squared: l_squared.recip(),
-                ks_stroke: ks * stroke,
                 table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -316,8 +316,6 @@ pub mod bridge_amplifier {
         pub half_ks: T,
         /// `1.0 / (l * l)`
         pub per_l_squared: T,
-        /// `ks * stroke`
-        pub ks_stroke: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 8>,
     }
@@ -358,7 +356,6 @@ pub mod bridge_amplifier {
                 half_k: turn(self.half_k),
                 half_ks: turn(self.half_ks),
                 per_l_squared: turn(self.per_l_squared),
-                ks_stroke: turn(self.ks_stroke),
                 table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
@@ -406,7 +403,6 @@ pub mod bridge_amplifier {
                 half_k: join(self.half_k, other.half_k),
                 half_ks: join(self.half_ks, other.half_ks),
                 per_l_squared: join(self.per_l_squared, other.per_l_squared),
-                ks_stroke: join(self.ks_stroke, other.ks_stroke),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
@@ -536,14 +532,14 @@ pub mod bridge_amplifier {
             .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         let t2 = p.constant3 * t;
         let (t3, t4) = t2.sin_cos();
+        // drive `extension`
+        let extension = p.stroke * t3;
         // rate of the drive `extension`
         let d_extension_dt = p.constant4 * t4;
-        // force of `piezo` on its second end, without what is known last
-        let F_piezo_so_far = (p.ks * -e_piezo)
+        // force of `piezo` on its second end
+        let F_piezo = (p.ks * (extension - e_piezo))
             .plus_product(p.cs, d_extension_dt.minus_product(dL_piezo_dφ1, dφ1));
-        let ddφ1 = t1
-            .plus_product(ddφ1_per_F_piezo * p.ks_stroke, t3)
-            .plus_product(ddφ1_per_F_piezo, F_piezo_so_far);
+        let ddφ1 = t1.plus_product(ddφ1_per_F_piezo, F_piezo);
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -999,9 +995,16 @@ pub mod bridge_amplifier {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 2];
+        type Discretes<L: Lanes> = [L; 1];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }
@@ -1058,6 +1061,10 @@ pub mod bridge_amplifier {
             result: &mut [L],
         ) {
             closures(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0).larger(lanes.table_of_φ1.left_by(x[0]))
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

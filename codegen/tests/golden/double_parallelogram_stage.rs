@@ -21,6 +21,7 @@ pub mod double_parallelogram_stage {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -328,30 +329,16 @@ pub mod double_parallelogram_stage {
         let dP_s_dφ2 = p.ddP_s_dφ1_dφ1 * (φ2 + 1.5707963267948966);
         // slope of the inertia
         let dM12_dφ1 = -dM12_dφ2;
-        let l_push_sin_φ1 = p.l_push * sin_φ1;
-        let l_push_sin_φ2 = p.l_push * sin_φ2;
         // ── state ──
+        let t1 = (p.constant1 * t).sin();
         // centrifugal and Coriolis terms
         let h1 = dM12_dφ2 * (dφ2 * dφ2);
-        let dP_s_dφ1_plus_h1 = dP_s_dφ1 + h1;
+        let t2 = dP_s_dφ1.plus_product(p.l_push * sin_φ1, t1) + h1;
         // centrifugal and Coriolis terms
         let h2 = dM12_dφ1 * (dφ1 * dφ1);
-        let dP_s_dφ2_plus_h2 = dP_s_dφ2 + h2;
-        let t1 = per_det_M
-            * (p.C1 * dP_s_dφ1_plus_h1).minus_product(M12, dP_s_dφ2_plus_h2);
-        let t2 = (p.constant1 * t).sin();
-        let ddφ1 = (-t1)
-            .minus_product(
-                per_det_M * (p.C1 * l_push_sin_φ1 - M12 * l_push_sin_φ2),
-                t2,
-            );
-        let t3 = per_det_M
-            * (p.C0 * dP_s_dφ2_plus_h2).minus_product(M12, dP_s_dφ1_plus_h1);
-        let ddφ2 = (-t3)
-            .minus_product(
-                per_det_M * (p.C0 * l_push_sin_φ2 - M12 * l_push_sin_φ1),
-                t2,
-            );
+        let t3 = dP_s_dφ2.plus_product(p.l_push * sin_φ2, t1) + h2;
+        let ddφ1 = -(per_det_M * (p.C1 * t2).minus_product(M12, t3));
+        let ddφ2 = -(per_det_M * (p.C0 * t3).minus_product(M12, t2));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -635,9 +622,16 @@ pub mod double_parallelogram_stage {
             const NAMES: [&str; 0] = [];
             NAMES[index]
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 4];
+        type Discretes<L: Lanes> = [L; 0];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

@@ -18,6 +18,7 @@ pub mod five_bar {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -596,8 +597,6 @@ pub mod five_bar {
         // slope of the inertia
         let dM22_dφ2 = t29 + p.C5 * (sin_φ2_minus_φ4 * ω4_2 * ω4_2_minus_one);
         // ── state ──
-        let t30 = p.constant1 * t;
-        let (t31, t32) = t30.sin_cos();
         let dφ1_dφ2 = dφ1 * dφ2;
         let dφ1_squared = dφ1 * dφ1;
         let dφ2_squared = dφ2 * dφ2;
@@ -605,15 +604,17 @@ pub mod five_bar {
         let h1 = (dM11_dφ2 * dφ1_dφ2)
             .plus_product(dM11_dφ1 * 0.5, dφ1_squared)
             .minus_product(dM22_dφ1 * 0.5 - dM12_dφ2, dφ2_squared);
+        let t30 = p.constant1 * t;
+        let (t31, t32) = t30.sin_cos();
         let t33 = (ω3_1_minus_one * dφ1).plus_product(ω3_2, dφ2);
-        let t34 = (ω4_1 * dφ1).plus_product(ω4_2_minus_one, dφ2);
-        let t35 = (-(p.c * dφ1))
-            .minus_product(p.c * ω3_1_minus_one, t33)
-            .minus_product(p.c * ω4_1, t34);
+        let t34 = (p.left_torque * t31)
+            .minus_product(p.c, dφ1)
+            .minus_product(p.c * ω3_1_minus_one, t33);
+        let t35 = (ω4_1 * dφ1).plus_product(ω4_2_minus_one, dφ2);
         let t36 = (t9 * dφ1).plus_product(ω3_2_minus_ω4_2, dφ2);
-        // generalized torque of all other forces, without what is known last
-        let τ1_so_far = t35.minus_product(p.c * t9, t36);
-        let t37 = dP_s_dφ1 + h1 - τ1_so_far;
+        // generalized torque of all other forces
+        let τ1 = t34.minus_product(p.c * ω4_1, t35).minus_product(p.c * t9, t36);
+        let t37 = dP_s_dφ1 + h1 - τ1;
         let t38 = ((dM12_dφ1 - dM11_dφ2 * 0.5) * dφ1_squared)
             .plus_product(dM22_dφ1, dφ1_dφ2);
         // centrifugal and Coriolis terms
@@ -623,13 +624,11 @@ pub mod five_bar {
             .minus_product(p.c * ω3_2, t33);
         // generalized torque of all other forces
         let τ2 = t39
-            .minus_product(p.c * ω4_2_minus_one, t34)
+            .minus_product(p.c * ω4_2_minus_one, t35)
             .minus_product(p.c * ω3_2_minus_ω4_2, t36);
         let t40 = dP_s_dφ2 + h2 - τ2;
-        let ddφ1 = (per_det_M * (M22 * p.left_torque) * t31)
-            .minus_product(per_det_M, (M22 * t37).minus_product(M12, t40));
-        let ddφ2 = (-(per_det_M * (M11 * t40).minus_product(M12, t37)))
-            .minus_product(per_det_M * (M12 * p.left_torque), t31);
+        let ddφ1 = -(per_det_M * (M22 * t37).minus_product(M12, t40));
+        let ddφ2 = -(per_det_M * (M11 * t40).minus_product(M12, t37));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -1502,9 +1501,16 @@ pub mod five_bar {
             ];
             NAMES[index]
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 4];
+        type Discretes<L: Lanes> = [L; 2];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

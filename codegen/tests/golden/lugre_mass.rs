@@ -22,6 +22,7 @@ pub mod lugre_mass {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -280,8 +281,13 @@ pub mod lugre_mass {
     /// `per_g_v`, which depends on `dx_block` and params alone, in closed form.
     #[inline(always)]
     pub fn per_g_v_of_dx_block<T: Real>(dx_block: T, p: &Prepared<T>) -> T {
-        let t1 = p.F_S_minus_F_C * (-(p.per_v_s_squared * (dx_block * dx_block))).exp();
-        let g_v = p.per_sigma0 * (p.F_C + t1);
+        let t1 = p
+            .F_C
+            .plus_product(
+                p.F_S_minus_F_C,
+                (-(p.per_v_s_squared * (dx_block * dx_block))).exp(),
+            );
+        let g_v = p.per_sigma0 * t1;
         g_v.recip()
     }
     /// dx/dt. Where a loop cannot close, entries are not numbers.
@@ -576,9 +582,16 @@ pub mod lugre_mass {
             let rows = [("dx_block", alone.curve_of_per_g_v.report())].into_iter();
             rows.filter_map(|(name, report)| Some((name, report?))).collect()
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 3];
+        type Discretes<L: Lanes> = [L; 1];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

@@ -21,6 +21,7 @@ pub mod parallelogram_stage {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -239,8 +240,8 @@ pub mod parallelogram_stage {
         // slope of the potential energy of springs
         let dP_s_dφ = p.ddP_s_dφ_dφ * (φ - 1.5707963267948966);
         // ── state ──
-        let ddφ = (-(p.per_C0 * dP_s_dφ))
-            .minus_product(p.per_C0 * (p.l_push * φ.sin()), (p.constant1 * t).sin());
+        let t1 = dP_s_dφ.plus_product(p.l_push * φ.sin(), (p.constant1 * t).sin());
+        let ddφ = -(p.per_C0 * t1);
         dx[0] = dφ;
         dx[1] = ddφ;
     }
@@ -444,9 +445,16 @@ pub mod parallelogram_stage {
             const NAMES: [&str; 0] = [];
             NAMES[index]
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 2];
+        type Discretes<L: Lanes> = [L; 0];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }

@@ -19,6 +19,7 @@ pub mod six_bar {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -1050,8 +1051,10 @@ pub mod six_bar {
             .plus_product(ddφ1_per_dφ1, dφ1)
             .plus_product(ddφ1_per_dφ1_squared, dφ1 * dφ1);
         let ddφ1 = t1
-            .plus_product(per_A, -(p.c * dφ1))
-            .plus_product(per_A * p.torque, (p.constant4 * t).sin());
+            .plus_product(
+                per_A,
+                (p.torque * (p.constant4 * t).sin()).minus_product(p.c, dφ1),
+            );
         dx[0] = dφ1;
         dx[1] = ddφ1;
     }
@@ -1726,9 +1729,16 @@ pub mod six_bar {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 2];
+        type Discretes<L: Lanes> = [L; 4];
+        type Loops<L: Lanes> = [L; 2];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }
@@ -1785,6 +1795,10 @@ pub mod six_bar {
             result: &mut [L],
         ) {
             closures(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0).larger(lanes.table_of_φ1.left_by(x[0]))
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

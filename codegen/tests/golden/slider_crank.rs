@@ -18,6 +18,7 @@ pub mod slider_crank {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -489,8 +490,10 @@ pub mod slider_crank {
             .plus_product(ddφ_per_dφ, dφ)
             .plus_product(ddφ_per_dφ_squared, dφ * dφ);
         let ddφ = t1
-            .plus_product(per_A, -(p.c * dφ))
-            .plus_product(per_A * p.torque, (p.constant1 * t).sin());
+            .plus_product(
+                per_A,
+                (p.torque * (p.constant1 * t).sin()).minus_product(p.c, dφ),
+            );
         dx[0] = dφ;
         dx[1] = ddφ;
     }
@@ -851,9 +854,16 @@ pub mod slider_crank {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ.is_left_by(x[0])
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 2];
+        type Discretes<L: Lanes> = [L; 1];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }
@@ -910,6 +920,10 @@ pub mod slider_crank {
             result: &mut [L],
         ) {
             closures(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0).larger(lanes.table_of_φ.left_by(x[0]))
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

@@ -18,6 +18,7 @@ pub mod slider_crank_by_hand {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -325,15 +326,14 @@ pub mod slider_crank_by_hand {
             + t2.power(half_plus_half_tanh_ω);
         let t7 = (t2 + half_plus_half_tanh_ω) * 0.5;
         let (t9, t8) = t7.sin_cos();
-        let t10 = p.per_J
-            * (t6 + t8 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0);
-        let t11 = t10
+        let t10 = (p.per_J
+            * (t6 + t8 * ((t2 - half_plus_half_tanh_ω) * 0.5).sin() * 2.0))
             .plus_product(
                 p.per_J * (((half_plus_half_tanh_ω - t2) * 0.5).sin() * 2.0),
                 t9,
             );
         dx[0] = ω;
-        dx[1] = t11;
+        dx[1] = t10;
     }
     /// ∂(dx/dt)/∂x, row by row; entries that are always zero are left as they are.
     #[inline(always)]
@@ -658,9 +658,16 @@ pub mod slider_crank_by_hand {
                 .into_iter();
             rows.filter_map(|(name, report)| Some((name, report?))).collect()
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 2];
+        type Discretes<L: Lanes> = [L; 3];
+        type Loops<L: Lanes> = [L; 1];
+        type Events<L: Lanes> = [L; 1];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }
@@ -725,6 +732,10 @@ pub mod slider_crank_by_hand {
             result: &mut [L],
         ) {
             closures(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0).larger(lanes.table_of_φ1.left_by(x[0]))
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

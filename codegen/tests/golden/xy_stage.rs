@@ -21,6 +21,7 @@ pub mod xy_stage {
     use ::flexure_runtime::lanes::{LaneSystem, Lanes};
     use ::flexure_runtime::newton;
     use ::flexure_runtime::real::Real;
+    use ::flexure_runtime::simulate::PlainSteps;
     use ::flexure_runtime::system::{Causality, Energy, EventAction, System, Variable};
     use ::flexure_runtime::table::{Curve, CurveReport, Table, TableReport};
     /// What may be set: all in SI units, angles in rad.
@@ -225,7 +226,6 @@ pub mod xy_stage {
                 half_C1: C1 * 0.5,
                 half_ks: ks * 0.5,
                 two_k: k * 2.0,
-                ks_stroke: ks * stroke,
                 table_of_φ1: Table::none(),
             };
             check_start(prepared.states(), &prepared.start_states)?;
@@ -289,8 +289,6 @@ pub mod xy_stage {
         pub half_ks: T,
         /// `2.0 * k`
         pub two_k: T,
-        /// `ks * stroke`
-        pub ks_stroke: T,
         /// [`functions_of_φ1`] near the start.
         pub table_of_φ1: Table<T, 4>,
     }
@@ -321,7 +319,6 @@ pub mod xy_stage {
                 half_C1: turn(self.half_C1),
                 half_ks: turn(self.half_ks),
                 two_k: turn(self.two_k),
-                ks_stroke: turn(self.ks_stroke),
                 table_of_φ1: self.table_of_φ1.map(&turn),
             }
         }
@@ -359,7 +356,6 @@ pub mod xy_stage {
                 half_C1: join(self.half_C1, other.half_C1),
                 half_ks: join(self.half_ks, other.half_ks),
                 two_k: join(self.two_k, other.two_k),
-                ks_stroke: join(self.ks_stroke, other.ks_stroke),
                 table_of_φ1: self.table_of_φ1.zip(&other.table_of_φ1, &join),
             }
         }
@@ -428,19 +424,20 @@ pub mod xy_stage {
         let (sin_half_φ2, cos_half_φ2) = half_φ2.sin_cos();
         // displacement of `P1`
         let y_P1 = y_T + p.l * (cos_half_φ2 * sin_half_φ2 * 2.0);
-        let l_sin_φ1_ks_stroke = l_sin_φ1 * p.ks_stroke;
         // ── state ──
         // centrifugal and Coriolis terms
         let h1 = dM12_dφ2 * (dφ2 * dφ2);
         let t1 = p.constant1 * t;
-        let (t3, t2) = t1.sin_cos();
+        let (t2, t3) = t1.sin_cos();
+        // drive `ux`
+        let ux = p.stroke * t2;
         // rate of the drive `ux`
-        let dux = p.constant2 * t2;
-        // force of `x_stack` on its second end, without what is known last
-        let F_x_stack_so_far = (p.ks * -x_F1)
+        let dux = p.constant2 * t3;
+        // force of `x_stack` on its second end
+        let F_x_stack = (p.ks * (ux - x_F1))
             .plus_product(p.cs, dux.plus_product(l_sin_φ1, dφ1));
         let t4 = (dP_s_dφ1.plus_product(p._4_c, dφ1) + h1)
-            .plus_product(l_sin_φ1, F_x_stack_so_far);
+            .plus_product(l_sin_φ1, F_x_stack);
         // centrifugal and Coriolis terms
         let h2 = dM12_dφ1 * (dφ1 * dφ1);
         let t5 = p.constant3 * t;
@@ -455,10 +452,8 @@ pub mod xy_stage {
         // generalized torque of all other forces
         let τ2 = (dy_P1_dφ2 * F_y_stack).minus_product(p._4_c, dφ2);
         let t8 = dP_s_dφ2 + h2 - τ2;
-        let ddφ1 = (-(per_det_M * (p.C1 * t4).minus_product(M12, t8)))
-            .minus_product(per_det_M * (p.C1 * l_sin_φ1_ks_stroke), t3);
-        let ddφ2 = (per_det_M * (M12 * l_sin_φ1_ks_stroke) * t3)
-            .minus_product(per_det_M, (p.C0 * t8).minus_product(M12, t4));
+        let ddφ1 = -(per_det_M * (p.C1 * t4).minus_product(M12, t8));
+        let ddφ2 = -(per_det_M * (p.C0 * t8).minus_product(M12, t4));
         dx[0] = dφ1;
         dx[1] = ddφ1;
         dx[2] = dφ2;
@@ -831,9 +826,16 @@ pub mod xy_stage {
         fn is_outside_tables(&self, x: &[f64]) -> bool {
             self.table_of_φ1.is_left_by(x[0])
         }
+        fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+            steps.on_lanes(self);
+        }
     }
     impl LaneSystem for Prepared<f64> {
         type InLanes<L: Lanes> = Prepared<L>;
+        type States<L: Lanes> = [L; 4];
+        type Discretes<L: Lanes> = [L; 0];
+        type Loops<L: Lanes> = [L; 0];
+        type Events<L: Lanes> = [L; 0];
         fn in_every_lane<L: Lanes>(&self) -> Prepared<L> {
             self.map(L::from_f64)
         }
@@ -890,6 +892,10 @@ pub mod xy_stage {
             result: &mut [L],
         ) {
             closures(t, array(x), array(d), array(u), lanes, array_mut(result));
+        }
+        #[inline(always)]
+        fn outside_tables_in_lanes<L: Lanes>(lanes: &Prepared<L>, x: &[L]) -> L {
+            L::from_f64(-1.0).larger(lanes.table_of_φ1.left_by(x[0]))
         }
     }
     /// Every quantity with a name: params, states, discrete states, inputs, outputs.

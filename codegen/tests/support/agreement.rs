@@ -97,6 +97,31 @@ pub fn places(system: &dyn System, count: usize, seed: u64) -> Vec<Place> {
         .collect()
 }
 
+/// Compares other rates of `system` than its own at the same kind of places.
+pub fn compare_rates(
+    equations: &Equations,
+    params: &[f64],
+    system: &dyn System,
+    rates: &dyn Fn(&Place) -> Vec<f64>,
+) {
+    let mut oracle = Oracle::new(equations, params);
+    let expected: Vec<Expr> = equations.states.iter().map(|s| s.rate).collect();
+    let mut compared = 0;
+    for place in places(system, 200, 13) {
+        let found = rates(&place);
+        let Place { t, x, d, u, .. } = &place;
+        oracle.place(*t, x, d, u);
+        // Where a loop cannot close, or hardly, there is nothing to compare.
+        let mut closures = vec![0.0; equations.loops.len()];
+        system.closures(*t, x, d, u, &mut closures);
+        if closures.iter().all(|closure| *closure > 1e-6) {
+            agree(&mut oracle, "rate", &expected, &found);
+            compared += 1;
+        }
+    }
+    assert!(compared > 100, "{compared} states compared");
+}
+
 /// Compares every function of `system`, which is `equations` at the parameter set `params`.
 pub fn compare(equations: &Equations, params: &[f64], system: &dyn System, states: usize) {
     let mut oracle = Oracle::new(equations, params);

@@ -53,12 +53,12 @@ pub use dispatch::{
     PATH_VARIABLE, Path, on_path, on_path_alone, on_path_in_one_register, on_widest,
 };
 pub use portable::Portable;
-pub use system::LaneSystem;
+pub use system::{LaneSystem, Row};
 
 use crate::real::Real;
 
 /// A number with an entry for each of several trajectories.
-pub trait Lanes: Real {
+pub trait Lanes: Real + 'static {
     /// Number of entries.
     const COUNT: usize;
 

@@ -179,11 +179,20 @@ pub(super) const ERROR6: [Entry; 7] = [
 ];
 
 /// The solution of order 3.
-pub(super) const ORDER3: [Entry; 3] = [
+const ORDER3: [Entry; 3] = [
     (1, 0.2440944881889764),
     (9, 0.7338466882816118),
     (12, 0.022058823529411766),
 ];
+
+/// The solution less that of order 3.
+pub(super) const ERROR3: [Entry; 8] = {
+    let mut error = WEIGHTS;
+    error[0].1 -= ORDER3[0].1;
+    error[4].1 -= ORDER3[1].1;
+    error[7].1 -= ORDER3[2].1;
+    error
+};
 
 /// Dense output: its coefficient of order 4.
 pub(super) const DENSE4: [Entry; 12] = [

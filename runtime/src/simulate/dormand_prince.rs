@@ -4,9 +4,9 @@
 
 use super::accounting::Flow;
 use super::coefficients::{
-    DENSE4, DENSE5, DENSE6, DENSE7, ERROR5, ERROR6, Entry, ORDER3, TIMES, WEIGHTS, stage,
+    DENSE4, DENSE5, DENSE6, DENSE7, ERROR3, ERROR5, ERROR6, Entry, TIMES, WEIGHTS, stage,
 };
-use super::method::{Method, Step};
+use super::method::{Method, Plain, Step};
 use crate::real::Real;
 use crate::system::System;
 
@@ -34,81 +34,107 @@ impl DormandPrince {
         }
     }
 
-    /// The last step times the largest eigenvalue of the Jacobian, roughly: the change of the rates
-    /// from stage 12 to the end of the step, at the same time, over that of the state.
-    pub fn stretch(&self, step: &Step<'_>, allowed: &[f64]) -> f64 {
-        let (mut rates, mut state) = (0.0, 0.0);
-        for (i, allowed) in allowed.iter().enumerate() {
-            rates += ((step.f_end[i] - self.k[11][i]) / allowed).powi(2);
-            state += ((step.x_end[i] - self.twelfth[i]) / allowed).powi(2);
-        }
-        if state > 0.0 {
-            step.h * (rates / state).sqrt()
-        } else {
-            0.0
-        }
+    /// How the rates and the state changed from stage 12 to the end of the step, at the same time.
+    pub fn changes(&self, step: &Step<'_>, allowed: &[f64]) -> [f64; 2] {
+        let unit: Vec<f64> = allowed.iter().map(|allowed| allowed.recip()).collect();
+        [
+            changed(step.f_end, &self.k[11], &unit),
+            changed(step.x_end, &self.twelfth, &unit),
+        ]
     }
 }
 
-/// out = x + h Σ row · k. Inlined, so that every row becomes straight code.
+/// Square of the difference of two vectors, each entry by `unit`.
 #[inline(always)]
-pub(super) fn advance<T: Real, const N: usize>(
-    row: &[Entry; N],
-    k: &[Vec<T>],
-    h: T,
-    x: &[T],
-    out: &mut [T],
-) {
-    let n = x.len();
-    let mut rates: [&[T]; N] = [&[]; N];
-    for m in 0..N {
-        rates[m] = &k[row[m].0 - 1][..n];
-    }
-    let out = &mut out[..n];
-    for i in 0..n {
-        let mut sum = rates[0][i] * row[0].1;
-        for m in 1..N {
-            sum = rates[m][i].times_plus(T::from_f64(row[m].1), sum);
-        }
-        out[i] = h.times_plus(sum, x[i]);
-    }
-}
-
-/// Σ row · k of quantity `i`.
-#[inline(always)]
-fn combined<T: Real, const N: usize>(row: &[Entry; N], k: &[Vec<T>], i: usize) -> T {
-    let mut sum = k[row[0].0 - 1][i] * row[0].1;
-    for m in 1..N {
-        sum = k[row[m].0 - 1][i].times_plus(T::from_f64(row[m].1), sum);
+pub(super) fn changed<T: Real>(a: &[T], b: &[T], unit: &[T]) -> T {
+    let mut sum = T::from_f64(0.0);
+    for (i, unit) in unit.iter().enumerate() {
+        let change = (a[i] - b[i]) * *unit;
+        sum = change.times_plus(change, sum);
     }
     sum
 }
 
-/// Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the step; or the
-/// estimate of order 6, if larger; from the rates `k` at the stages.
+/// out = x + h Σ row · k, where `last` are the rates of the row's last entry, which may still be in
+/// registers. Inlined, so that every row becomes straight code.
+#[inline(always)]
+pub(super) fn advance<T: Real, K: AsRef<[T]>, const N: usize>(
+    row: &[Entry; N],
+    k: &[K],
+    last: &[T],
+    h: T,
+    x: &[T],
+    out: &mut [T],
+) {
+    combine(row, k, last, out);
+    for (out, x) in out.iter_mut().zip(x) {
+        *out = h.times_plus(*out, *x);
+    }
+}
+
+/// out = Σ row · k, as [`advance`]: all quantities side by side.
+#[inline(always)]
+fn combine<T: Real, K: AsRef<[T]>, const N: usize>(
+    row: &[Entry; N],
+    k: &[K],
+    last: &[T],
+    out: &mut [T],
+) {
+    let n = out.len();
+    for (m, (position, share)) in row.iter().enumerate() {
+        let rates = if m + 1 < N {
+            &k[position - 1].as_ref()[..n]
+        } else {
+            &last[..n]
+        };
+        for i in 0..n {
+            out[i] = if m == 0 {
+                rates[i] * *share
+            } else {
+                rates[i].times_plus(T::from_f64(*share), out[i])
+            };
+        }
+    }
+}
+
+/// The square of Hairer's combination of the errors of orders 5 and 3, which is of order 8 in the
+/// step; or the estimate of order 6, if larger; from the rates `k` at the stages, each quantity's
+/// error by `unit`. `errors` is overwritten.
 ///
 /// Where the motion is smooth the combination is the larger. Across a kink in the rates (friction
 /// whose sliding turns round) it may be small by chance, and squares that chance: on the article's
 /// actuator one step in three thousand was accepted with 20 000 times the error allowed. The other
 /// estimate, of other stages, has not been seen small at the same time.
 #[inline(always)]
-pub(super) fn estimate<T: Real>(k: &[Vec<T>], h: T, allowed: &[T]) -> T {
-    let zero = T::from_f64(0.0);
-    let (mut third, mut fifth, mut sixth) = (zero, zero, zero);
-    for (i, allowed) in allowed.iter().enumerate() {
-        let per_allowed = allowed.recip();
-        let of_third = (combined(&WEIGHTS, k, i) - combined(&ORDER3, k, i)) * per_allowed;
-        let of_fifth = combined(&ERROR5, k, i) * per_allowed;
-        let of_sixth = combined(&ERROR6, k, i) * per_allowed;
-        third = of_third.times_plus(of_third, third);
-        fifth = of_fifth.times_plus(of_fifth, fifth);
-        sixth = of_sixth.times_plus(of_sixth, sixth);
-    }
+pub(super) fn estimate<T: Real, K: AsRef<[T]>>(k: &[K], h: T, unit: &[T], errors: &mut [T]) -> T {
+    let last = k[11].as_ref();
+    combine(&ERROR3, k, last, errors);
+    let third = weighted(errors, unit);
+    combine(&ERROR5, k, last, errors);
+    let fifth = weighted(errors, unit);
+    combine(&ERROR6, k, k[10].as_ref(), errors);
+    let sixth = weighted(errors, unit);
     let sum = fifth + third * 0.01;
-    let count = allowed.len() as f64;
-    let combined = fifth / (sum * count).sqrt();
-    let error = h * combined.larger((sixth / count).sqrt());
-    sum.if_positive(error, sum)
+    let combined = (fifth * fifth / sum).larger(sixth) * (unit.len() as f64).recip();
+    sum.if_positive(h * h * combined, sum)
+}
+
+/// Square of a vector, each entry by `unit`.
+#[inline(always)]
+fn weighted<T: Real>(errors: &[T], unit: &[T]) -> T {
+    let mut sum = T::from_f64(0.0);
+    for (error, unit) in errors.iter().zip(unit) {
+        let error = *error * *unit;
+        sum = error.times_plus(error, sum);
+    }
+    sum
+}
+
+/// Σ row · k of quantity `i`.
+fn combined<const N: usize>(row: &[Entry; N], k: &[Vec<f64>], i: usize) -> f64 {
+    row.iter()
+        .map(|(position, share)| k[position - 1][i] * share)
+        .sum()
 }
 
 /// The change within a step up to a fraction of it, by the nested form of the dense output.
@@ -124,6 +150,10 @@ impl Method for DormandPrince {
 
     fn order(&self) -> f64 {
         Self::ORDER
+    }
+
+    fn plain(&mut self) -> Option<Plain<'_>> {
+        Some(Plain { watch: None })
     }
 
     #[inline]
@@ -143,18 +173,20 @@ impl Method for DormandPrince {
         k[0].copy_from_slice(f);
         macro_rules! stages {
             ($($position:literal: $row:ident),+) => {$(
-                advance(&stage::$row, k, h, x, stage);
+                let last = &k[$position - 2];
+                advance(&stage::$row, k, last, h, x, stage);
                 flow.rates(t + TIMES[$position - 1] * h, stage, d, &mut k[$position - 1]);
             )+};
         }
         stages!(2: A2, 3: A3, 4: A4, 5: A5, 6: A6, 7: A7, 8: A8, 9: A9, 10: A10, 11: A11);
-        advance(&stage::A12, k, h, x, twelfth);
+        advance(&stage::A12, k, &k[10], h, x, twelfth);
         flow.rates(t + TIMES[11] * h, twelfth, d, &mut k[11]);
-        advance(&WEIGHTS, k, h, x, x_end);
+        advance(&WEIGHTS, k, &k[11], h, x, x_end);
     }
 
-    fn error(&self, h: f64, allowed: &[f64]) -> f64 {
-        estimate(&self.k, h, allowed)
+    fn error_squared(&self, h: f64, allowed: &[f64]) -> f64 {
+        let unit: Vec<f64> = allowed.iter().map(|allowed| allowed.recip()).collect();
+        estimate(&self.k, h, &unit, &mut vec![0.0; unit.len()])
     }
 
     fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>) {
@@ -164,7 +196,8 @@ impl Method for DormandPrince {
         k[12].copy_from_slice(step.f_end);
         macro_rules! stages {
             ($($position:literal: $row:ident),+) => {$(
-                advance(&stage::$row, k, step.h, step.x, stage);
+                let last = &k[$position - 2];
+                advance(&stage::$row, k, last, step.h, step.x, stage);
                 let time = step.t + TIMES[$position - 1] * step.h;
                 flow.rates(time, stage, step.d, &mut k[$position - 1]);
             )+};

@@ -1,6 +1,7 @@
 //! What the walk asks of a method of integration.
 
 use super::accounting::Flow;
+use super::automatic::Watch;
 use crate::real::Real;
 use crate::system::System;
 
@@ -23,6 +24,12 @@ pub(super) struct Step<'a> {
     pub f_end: &'a [f64],
 }
 
+/// Plain steps of a method, which may be taken on lanes.
+pub(super) struct Plain<'m> {
+    /// To be kept, if there is one.
+    pub watch: Option<&'m mut Watch<f64>>,
+}
+
 /// A one-step method.
 pub(super) trait Method {
     /// Where, within a step, event functions are looked at, as fractions of the step; ends in 1.
@@ -34,6 +41,11 @@ pub(super) trait Method {
     /// Whether its steps are those of the stiff method.
     fn is_stiff(&self) -> bool {
         false
+    }
+
+    /// What is to be known of its steps if they are taken elsewhere; `None` if they cannot be.
+    fn plain(&mut self) -> Option<Plain<'_>> {
+        None
     }
 
     /// Takes note of a step that counts, with the errors that were allowed in it. Where the next
@@ -55,9 +67,9 @@ pub(super) trait Method {
         x_end: &mut [f64],
     );
 
-    /// Estimated error of the step just taken over the first quantities, each in units of
-    /// `allowed`: it may be accepted if not above 1.
-    fn error(&self, h: f64, allowed: &[f64]) -> f64;
+    /// Square of the estimated error of the step just taken over the first quantities, each in
+    /// units of `allowed`: it may be accepted if not above 1.
+    fn error_squared(&self, h: f64, allowed: &[f64]) -> f64;
 
     /// Makes ready to interpolate within the step just taken.
     fn prepare<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, step: &Step<'_>);

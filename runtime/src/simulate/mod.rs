@@ -3,6 +3,8 @@
 //!
 //! ```text
 //! simulate(&system) ──settings──▶ walk ──steps of a method──▶ rows ──▶ a Run, or a Recorder
+//!                                  ▲ │
+//!                  plain steps, on lanes
 //! ```
 //!
 //! The walk carries a run from break to break: the end, the next kink of a drive, an event
@@ -18,7 +20,13 @@
 //!   is divided into the fewest equal steps that are no longer than `dt`, so that a step ends
 //!   exactly at each break and none is a short remainder.
 //!
-//! Results depend on nothing but the system and these settings: not on which rows are recorded.
+//! Most steps ask for nothing but the right-hand side and a look at what they came to. A system that
+//! runs on lanes takes these by code that is compiled for the instructions at hand, alone as in an
+//! [`ensemble`]; all others (the start, kinks, events, dead points, failures, steps with a row inside)
+//! are the walk's own.
+//!
+//! Results depend on nothing but the system and these settings, to rounding; on lanes the walk's own
+//! steps are rounded differently from plain ones, and rows decide which are its own.
 //!
 //! # Why these methods
 //!
@@ -65,18 +73,21 @@ mod dormand_prince;
 mod ensemble;
 mod method;
 mod pace;
+mod plain;
 mod recorder;
 mod rosenbrock;
 mod rows;
 mod run;
 mod runge_kutta;
 mod settings;
+mod stand;
 mod stops;
 mod tolerance;
 mod walk;
 
 pub use breakdown::{Breakdown, BreakdownKind, RunFailure};
 pub use ensemble::{Ensemble, Trajectory, TrajectoryFailure, ensemble};
+pub use plain::PlainSteps;
 pub use recorder::{Heading, Recorder};
 pub use run::{Column, Ending, EventRecord, Run, Statistics, Summary};
 pub use settings::Integrator;

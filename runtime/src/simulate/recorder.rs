@@ -25,7 +25,8 @@ pub trait Recorder {
     /// One row. Times never fall; two rows of one time stand before and after an event.
     fn row(&mut self, values: &[f64]) -> ControlFlow<()>;
 
-    /// The run has come to this time. Called every few hundred steps, whether rows come or not.
+    /// The run has come to this time. Called every few thousand steps at the least, whether rows
+    /// come or not.
     fn progress(&mut self, _time: f64) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

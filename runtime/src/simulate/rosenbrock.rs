@@ -314,11 +314,11 @@ impl Method for Rosenbrock {
     }
 
     /// The last stage is the difference to the method of order 4, times [`CAUTION`].
-    fn error(&self, _h: f64, allowed: &[f64]) -> f64 {
+    fn error_squared(&self, _h: f64, allowed: &[f64]) -> f64 {
         let sum: f64 = (self.k[7].iter().zip(allowed))
             .map(|(error, allowed)| (error / allowed).powi(2))
             .sum();
-        CAUTION * (sum / allowed.len() as f64).sqrt()
+        CAUTION * CAUTION * (sum / allowed.len() as f64)
     }
 
     fn prepare<S: System + ?Sized>(&mut self, _flow: &mut Flow<'_, S>, _step: &Step<'_>) {

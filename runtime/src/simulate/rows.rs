@@ -114,6 +114,15 @@ impl<'a> Rows<'a> {
         recorder.begin(&headings);
     }
 
+    /// The time of the next row: what a step passes before it is not recorded.
+    pub fn due(&self) -> f64 {
+        match (&self.recorder, &self.samples) {
+            (None, _) => f64::INFINITY,
+            (Some(_), None) => f64::NEG_INFINITY,
+            (Some(_), Some(samples)) => samples.time(),
+        }
+    }
+
     /// Says how far the run is.
     pub fn progress(&mut self, t: f64) -> ControlFlow<()> {
         match &mut self.recorder {

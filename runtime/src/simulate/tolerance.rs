@@ -19,8 +19,8 @@ pub(super) struct StepControl {
     pub longest: f64,
     /// Length wanted for the next step.
     pub wanted: f64,
-    /// Error of the last accepted step.
-    pub last_error: f64,
+    /// Logarithm of the error of the last accepted step.
+    pub memory: f64,
     /// Whether the last step was rejected.
     pub was_rejected: bool,
     pub states: Vec<Tolerated>,
@@ -31,8 +31,10 @@ pub(super) struct StepControl {
 /// What the tolerance of one state rests on.
 #[derive(Clone)]
 pub(super) struct Tolerated {
-    /// Tolerance given by the user.
-    absolute: Option<f64>,
+    /// Tolerance given by the user; zero for none.
+    absolute: f64,
+    /// This share of the state itself counts as an excursion.
+    share: f64,
     /// Value at the start of the run.
     pub start: f64,
     /// Largest excursion from it so far.
@@ -72,13 +74,13 @@ impl StepControl {
                     "give one above zero",
                 ));
             }
-            tolerated[index].absolute = Some(*tolerance);
+            tolerated[index].within(*tolerance);
         }
         Ok(Self {
             relative,
             longest,
             wanted: longest.min(until),
-            last_error: 1e-4,
+            memory: least_memory(),
             was_rejected: false,
             allowed: vec![0.0; states.len()],
             states: tolerated,
@@ -97,7 +99,7 @@ impl StepControl {
     /// The error that each state may have in a step to `x_end`.
     pub fn allowed(&mut self, x: &[f64], x_end: &[f64]) -> &[f64] {
         for (i, (allowed, state)) in self.allowed.iter_mut().zip(&self.states).enumerate() {
-            let excursion = state.excursion_at(state.start, state.excursion, x_end[i]);
+            let excursion = excursion_at(state.start, state.excursion, x_end[i]);
             *allowed = state.allowed(self.relative, excursion, x[i], x_end[i]);
         }
         &self.allowed
@@ -110,20 +112,21 @@ impl StepControl {
 
     /// The next step's length after one of length `h` whose error, of `order` in the step, was
     /// acceptable.
-    pub fn accepted(&mut self, h: f64, error: f64, order: f64, x_end: &[f64]) {
+    pub fn accepted(&mut self, h: f64, error_squared: f64, order: f64, x_end: &[f64]) {
         for (state, &x) in self.states.iter_mut().zip(x_end) {
-            state.excursion = state.excursion_at(state.start, state.excursion, x);
+            state.excursion = excursion_at(state.start, state.excursion, x);
         }
         let most = growth_limit(if self.was_rejected { 1.0 } else { -1.0 });
-        let last = self.last_error;
-        self.wanted = length_after(h, [error, last], order, most, self.wanted, self.longest);
-        self.last_error = remembered(error);
+        let logarithm = 0.5 * Real::ln(error_squared);
+        let logarithms = [logarithm, self.memory];
+        self.wanted = length_after(h, logarithms, order, most, self.wanted, self.longest);
+        self.memory = remembered(logarithm);
         self.was_rejected = false;
     }
 
     /// After a step of length `h` whose error, of `order` in the step, was too large.
-    pub fn too_inaccurate(&mut self, h: f64, error: f64, order: f64) {
-        self.cut(h, share_of_rejected(error, order));
+    pub fn too_inaccurate(&mut self, h: f64, error_squared: f64, order: f64) {
+        self.cut(h, share_of_rejected(0.5 * Real::ln(error_squared), order));
     }
 
     /// After a step of length `h` that cannot be taken at all.
@@ -135,8 +138,14 @@ impl StepControl {
     /// Forgets what the last step taught: the motion goes on differently.
     pub fn restart(&mut self, longest: f64) {
         self.wanted = self.wanted.min(longest);
-        self.last_error = 1e-4;
+        self.memory = least_memory();
     }
+}
+
+/// No step is shorter, at `t` of a run until `until`.
+#[inline(always)]
+pub(super) fn shortest_step<T: Real>(t: T, until: T) -> T {
+    t.abs() * (8.0 * f64::EPSILON) + until * 1e-18
 }
 
 /// The largest factor by which a step may grow, after a rejected one if that is positive.
@@ -145,8 +154,8 @@ pub(super) fn growth_limit<T: Real>(was_rejected: T) -> T {
     was_rejected.if_positive(T::from_f64(1.0), T::from_f64(LARGEST_GROWTH))
 }
 
-/// The length wanted after an accepted step of length `h` whose error and that of the step before
-/// are of `order` in the step.
+/// The length wanted after an accepted step of length `h`, given the logarithms of its error and
+/// of the error of the step before, which are of `order` in the step.
 #[inline(always)]
 pub(super) fn length_after<T: Real>(
     h: T,
@@ -157,8 +166,8 @@ pub(super) fn length_after<T: Real>(
     longest: T,
 ) -> T {
     // Products of powers, by logarithms: of an error of zero as well.
-    let memory = last_error.ln() * MEMORY;
-    let growth = (memory - error.ln() * (order.recip() - 0.2 * MEMORY)).exp() * SAFETY;
+    let growth = last_error * MEMORY - error * (order.recip() - 0.2 * MEMORY);
+    let growth = growth.exp() * SAFETY;
     let grown = h * growth.larger(T::from_f64(LARGEST_CUT)).smaller(most);
     // A step cut short by a break says little about what is possible behind it.
     (wanted * 0.99 - h)
@@ -166,39 +175,48 @@ pub(super) fn length_after<T: Real>(
         .smaller(longest)
 }
 
-/// The error of an accepted step as the next one's control sees it.
+/// The logarithm of the error of an accepted step as the next one's control sees it.
 #[inline(always)]
-pub(super) fn remembered<T: Real>(error: T) -> T {
-    error.larger(T::from_f64(1e-4))
+pub(super) fn remembered<T: Real>(logarithm: T) -> T {
+    logarithm.larger(T::from_f64(least_memory()))
 }
 
-/// The share of a step whose error, of `order` in the step, was too large that is tried next.
+/// What is remembered of a step that was hardly a challenge, or of none.
 #[inline(always)]
-pub(super) fn share_of_rejected<T: Real>(error: T, order: f64) -> T {
-    let share = (error.ln() * -order.recip()).exp() * SAFETY;
+fn least_memory() -> f64 {
+    -4.0 * std::f64::consts::LN_10
+}
+
+/// The largest excursion from `start`, which was `excursion`, with one to `x`.
+#[inline(always)]
+pub(super) fn excursion_at<T: Real>(start: T, excursion: T, x: T) -> T {
+    excursion.larger((x - start).abs())
+}
+
+/// The share of a step whose error, of this logarithm and of `order` in the step, was too large
+/// that is tried next.
+#[inline(always)]
+pub(super) fn share_of_rejected<T: Real>(logarithm: T, order: f64) -> T {
+    let share = (logarithm * -order.recip()).exp() * SAFETY;
     share
         .larger(T::from_f64(LARGEST_CUT))
         .smaller(T::from_f64(0.9))
 }
 
 impl Tolerated {
-    /// The largest excursion from `start`, which was `excursion`, with one to `x`.
-    #[inline(always)]
-    pub fn excursion_at<T: Real>(&self, start: T, excursion: T, x: T) -> T {
-        excursion.larger((x - start).abs())
-    }
-
     /// The error that a step from `x` to `x_end` may have, with that one's excursion.
     #[inline(always)]
     pub fn allowed<T: Real>(&self, relative: f64, excursion: T, x: T, x_end: T) -> T {
         let size = x.abs().larger(x_end.abs());
-        match self.absolute {
-            Some(absolute) => size * relative + absolute,
-            None => {
-                let scale = excursion.smaller(T::from_f64(self.most));
-                scale.larger(size * 1e-6).larger(T::from_f64(self.least)) * relative
-            }
-        }
+        let scale = excursion.smaller(T::from_f64(self.most));
+        let scale = scale.larger(size * self.share);
+        scale.larger(T::from_f64(self.least)) * relative + self.absolute
+    }
+
+    /// Holds the error below `tolerance` plus the relative tolerance times the state's size.
+    fn within(&mut self, tolerance: f64) {
+        self.absolute = tolerance;
+        (self.most, self.least, self.share) = (0.0, 0.0, 1.0);
     }
 
     fn new(state: &Variable) -> Self {
@@ -208,7 +226,8 @@ impl Tolerated {
             _ => (f64::INFINITY, 1e-12),
         };
         Self {
-            absolute: None,
+            absolute: 0.0,
+            share: 1e-6,
             start: 0.0,
             excursion: 0.0,
             most,

@@ -5,6 +5,7 @@
 //! of a drive), tries it, shortens it to the first event that it ran into, records the rows inside
 //! it, moves on, and passes the events and kinks where it then stands.
 
+use std::any::Any;
 use std::ops::ControlFlow;
 
 use super::accounting::Flow;
@@ -13,10 +14,12 @@ use super::crossing::{Crossings, Found};
 use super::dead_point::Approach;
 use super::method::{Method, Step};
 use super::pace::{Pace, Trial};
+use super::plain::{PlainSteps, Verdict, Way};
 use super::rows::{Recording, Rows};
-use super::run::{Ending, EventRecord, Summary};
+use super::run::{Ending, EventRecord, Statistics, Summary};
+use super::stand::Stand;
 use super::stops::{Sample, Stops};
-use crate::real::Real;
+use super::tolerance::shortest_step;
 use crate::system::{EventAction, System};
 
 /// Steps between two reports of progress.
@@ -32,30 +35,24 @@ pub(super) const QUARTER_TURN: f64 = std::f64::consts::FRAC_PI_2;
 pub(super) struct Walk<'a, S: System + ?Sized, M> {
     pub flow: Flow<'a, S>,
     method: M,
-    pub pace: Pace,
-    pub until: f64,
+    /// Where it stands.
+    pub stand: Stand,
     rows: Rows<'a>,
     stops: Stops<'a>,
-    pub crossings: Crossings,
-    pub approach: Approach,
+    crossings: Crossings,
     /// Half of a step that a loop did not allow, where steps are equal ones.
     shortened: f64,
-    /// Where it stands.
-    pub t: f64,
-    pub x: Vec<f64>,
-    pub d: Vec<f64>,
-    /// Rates there.
-    pub f: Vec<f64>,
     /// Where the step that is tried ends.
     x_end: Vec<f64>,
     d_end: Vec<f64>,
     f_end: Vec<f64>,
     /// The next kink of each drive.
     kinks: Vec<f64>,
-    /// Steps tried, and how many may be.
-    pub tried: u64,
-    pub most_steps: u64,
-    pub summary: Summary,
+    /// Steps tried when progress was reported last.
+    reported: u64,
+    /// What the system keeps for its plain steps.
+    in_lanes: Option<Box<dyn Any>>,
+    summary: Summary,
 }
 
 /// Why a step cannot be accepted.
@@ -85,12 +82,6 @@ fn recorded(flow: ControlFlow<()>) -> Result<(), Halt> {
     }
 }
 
-/// No step is shorter, at `t` of a run until `until`.
-#[inline(always)]
-pub(super) fn shortest_step<T: Real>(t: T, until: T) -> T {
-    t.abs() * (8.0 * f64::EPSILON) + until * 1e-18
-}
-
 fn all_finite(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
@@ -111,24 +102,29 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         system.start(&mut x[..flow.states], &mut d);
         Self {
             method,
-            pace,
-            until,
             rows: Rows::new(rows, width, until, flow.stored(0.0, &x, &d)),
             stops: Stops::default(),
             crossings: Crossings::new(system.event_count(), width),
-            approach: Approach::new(system.loop_count()),
             shortened: f64::INFINITY,
-            t: 0.0,
-            f: vec![0.0; width],
             x_end: vec![0.0; width],
             d_end: d.clone(),
             f_end: vec![0.0; width],
             kinks: vec![f64::INFINITY; system.kink_count()],
-            tried: 0,
-            most_steps,
+            reported: 0,
+            in_lanes: None,
             summary: Summary::default(),
-            x,
-            d,
+            stand: Stand {
+                t: 0.0,
+                x,
+                d,
+                f: vec![0.0; width],
+                pace,
+                approach: Approach::new(system.loop_count()),
+                until,
+                tried: 0,
+                most_steps,
+                statistics: Statistics::default(),
+            },
             flow,
         }
     }
@@ -158,62 +154,121 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             Halt::Breakdown(kind) => {
                 let place = Place {
                     system: self.flow.system,
-                    time: self.t,
-                    state: self.flow.own(&self.x),
+                    time: self.stand.t,
+                    state: self.flow.own(&self.stand.x),
                 };
                 (Ending::Failed, Some(Breakdown::at(&place, kind)))
             }
         };
-        self.summary.end = self.t;
+        self.summary.end = self.stand.t;
         self.summary.ending = ending;
-        self.summary.statistics.evaluations = self.flow.evaluations;
-        self.summary.state = self.flow.own(&self.x).to_vec();
-        self.summary.discrete = self.d;
+        self.summary.statistics = self.stand.statistics;
+        self.summary.statistics.evaluations += self.flow.evaluations;
+        self.summary.state = self.flow.own(&self.stand.x).to_vec();
+        self.summary.discrete = self.stand.d;
         (self.summary, breakdown, self.stops.samples)
     }
 
     fn go(&mut self) -> Result<(), Halt> {
         self.begin()?;
         while !self.is_over() {
-            self.round()?;
+            if self.go_plainly()? != Some(Verdict::Arrived) && !self.is_over() {
+                self.round()?;
+            }
         }
-        recorded(self.rows.end(&self.flow, self.t, &self.x, &self.d))
+        recorded(
+            self.rows
+                .end(&self.flow, self.stand.t, &self.stand.x, &self.stand.d),
+        )
     }
 
     /// Stands at the start, behind the kinks that are there.
     pub fn begin(&mut self) -> Result<(), Halt> {
-        if !all_finite(&self.x) {
+        if !all_finite(&self.stand.x) {
             return Err(BreakdownKind::NotFinite.into());
         }
-        self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
+        self.crossings
+            .stand(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
         if !self.pass_kinks()? {
             self.rates()?;
         }
-        self.stops.pass(&self.flow, self.t, &self.x, &self.d);
-        let first_break = self.next_break() - self.t;
-        if let Pace::Adaptive(control) = &mut self.pace {
-            control.start(self.flow.own(&self.x), first_break);
+        self.stops
+            .pass(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
+        let first_break = self.next_break() - self.stand.t;
+        if let Pace::Adaptive(control) = &mut self.stand.pace {
+            control.start(self.flow.own(&self.stand.x), first_break);
         }
-        recorded(self.rows.start(&self.flow, self.t, &self.x, &self.d))?;
+        recorded(
+            self.rows
+                .start(&self.flow, self.stand.t, &self.stand.x, &self.stand.d),
+        )?;
         self.watch_loops()
     }
 
     /// Whether it has come to its end.
     pub fn is_over(&self) -> bool {
-        !(self.t < self.until)
+        !(self.stand.t < self.stand.until)
+    }
+
+    /// Takes the plain steps that lie ahead, if there are any and the system has a way of its own
+    /// to take them; where they led.
+    fn go_plainly(&mut self) -> Result<Option<Verdict>, Halt> {
+        let row = self.rows.due();
+        let is_near = match &self.stand.pace {
+            Pace::Adaptive(control) => row <= self.stand.t + control.wanted,
+            Pace::Fixed(_) => row <= self.stand.t,
+        };
+        if is_near || self.flow.accounts() || !self.is_quiet() {
+            return Ok(None);
+        }
+        let to = self.next_break();
+        let Some(plain) = self.method.plain() else {
+            return Ok(None);
+        };
+        let mut steps = PlainSteps {
+            stand: &mut self.stand,
+            inputs: &self.flow.u,
+            in_lanes: &mut self.in_lanes,
+            way: Way {
+                to,
+                row,
+                watch: plain.watch,
+            },
+            verdict: None,
+        };
+        self.flow.system.take_plain_steps(&mut steps);
+        let verdict = steps.verdict;
+        if verdict.is_some() {
+            self.report()?;
+            self.resume();
+            if verdict == Some(Verdict::Arrived) {
+                self.arrive(false)?;
+            }
+        }
+        Ok(verdict)
+    }
+
+    /// Says how far the run is, if it has gone far enough.
+    fn report(&mut self) -> Result<(), Halt> {
+        if self.stand.tried < self.reported + PROGRESS_INTERVAL {
+            return Ok(());
+        }
+        self.reported = self.stand.tried;
+        recorded(self.rows.progress(self.stand.t))
     }
 
     /// Tries one step.
     pub fn round(&mut self) -> Result<(), Halt> {
-        if self.tried >= self.most_steps {
+        if self.stand.tried >= self.stand.most_steps {
             return Err(BreakdownKind::TooManySteps.into());
         }
-        self.tried += 1;
-        if self.tried.is_multiple_of(PROGRESS_INTERVAL) {
-            recorded(self.rows.progress(self.t))?;
-        }
-        let longest = self.approach.longest_step().min(self.shortened);
-        let trial = self.pace.next(self.t, self.next_break(), longest);
+        self.stand.tried += 1;
+        self.report()?;
+        let longest = self.stand.approach.longest_step().min(self.shortened);
+        let trial = self
+            .stand
+            .pace
+            .next(self.stand.t, self.next_break(), longest);
         match self.attempt(trial) {
             Ok(error) => self.accept(trial, error),
             Err(rejection) => self.reject(trial, &rejection),
@@ -222,13 +277,14 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
 
     /// The time of the next kink, of the next sample or of the end.
     pub fn next_break(&self) -> f64 {
-        let end = self.until.min(self.stops.next());
+        let end = self.stand.until.min(self.stops.next());
         self.kinks.iter().copied().fold(end, f64::min)
     }
 
-    /// Takes the values of the event functions where it has been put.
-    pub fn stand(&mut self) {
-        self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
+    /// Goes on where plain steps have put it.
+    pub fn resume(&mut self) {
+        self.crossings
+            .stand(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
     }
 
     /// Whether nothing that is under way asks for more than plain steps.
@@ -236,25 +292,25 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         self.shortened == f64::INFINITY && self.crossings.are_quiet()
     }
 
-    /// Takes a step to `x_end`, `d_end`, `f_end`; its error in units of what is allowed.
+    /// Takes a step to `x_end`, `d_end`, `f_end`; the square of its error in units of what is allowed.
     fn attempt(&mut self, trial: Trial) -> Result<f64, Rejection> {
         self.method.step(
             &mut self.flow,
-            self.t,
+            self.stand.t,
             trial.h,
-            &self.x,
-            &self.f,
-            &self.d,
+            &self.stand.x,
+            &self.stand.f,
+            &self.stand.d,
             &mut self.x_end,
         );
         if !all_finite(&self.x_end) {
             return Err(Rejection::NotFinite);
         }
         let mut error = 0.0;
-        if let Pace::Adaptive(control) = &mut self.pace {
+        if let Pace::Adaptive(control) = &mut self.stand.pace {
             let states = self.flow.states;
-            let allowed = control.allowed(&self.x[..states], &self.x_end[..states]);
-            error = self.method.error(trial.h, allowed);
+            let allowed = control.allowed(&self.stand.x[..states], &self.x_end[..states]);
+            error = self.method.error_squared(trial.h, allowed);
             if error.is_nan() {
                 return Err(Rejection::NotFinite);
             }
@@ -268,7 +324,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
 
     /// Discrete state and rates at the end of a step.
     fn finish(&mut self, end: f64) -> Result<(), Rejection> {
-        self.d_end.copy_from_slice(&self.d);
+        self.d_end.copy_from_slice(&self.stand.d);
         let system = self.flow.system;
         system.accept(
             end,
@@ -277,7 +333,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             &mut self.d_end,
         );
         for &index in system.turning() {
-            let turn = (self.d_end[index] - self.d[index]).abs();
+            let turn = (self.d_end[index] - self.stand.d[index]).abs();
             if turn.is_nan() {
                 return Err(Rejection::NotFinite);
             }
@@ -295,9 +351,9 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
     }
 
     fn reject(&mut self, trial: Trial, rejection: &Rejection) -> Result<(), Halt> {
-        self.summary.statistics.rejected += 1;
-        let shortest = shortest_step(self.t, self.until);
-        let control = match &mut self.pace {
+        self.stand.statistics.rejected += 1;
+        let shortest = shortest_step(self.stand.t, self.stand.until);
+        let control = match &mut self.stand.pace {
             Pace::Adaptive(control) => control,
             Pace::Fixed(_) => {
                 let kind = match rejection {
@@ -336,14 +392,20 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         let mut closures = vec![0.0; system.loop_count()];
         let mut lowest: Option<(usize, f64)> = None;
         for ahead in [0.0, 0.5 * h, h] {
-            for i in 0..self.x.len() {
-                self.x_end[i] = self.x[i] + ahead * self.f[i];
+            for i in 0..self.stand.x.len() {
+                self.x_end[i] = self.stand.x[i] + ahead * self.stand.f[i];
             }
             if !all_finite(&self.x_end) {
                 continue;
             }
             let x = self.flow.own(&self.x_end);
-            system.closures(self.t + ahead, x, &self.d, &self.flow.u, &mut closures);
+            system.closures(
+                self.stand.t + ahead,
+                x,
+                &self.stand.d,
+                &self.flow.u,
+                &mut closures,
+            );
             for (index, &closure) in closures.iter().enumerate() {
                 let closure = if closure.is_nan() { 0.0 } else { closure };
                 if lowest.is_none_or(|(_, least)| closure < least) {
@@ -360,11 +422,11 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
     /// Moves on to the end of a step that was found good, or to the first event in it.
     fn accept(&mut self, trial: Trial, error: f64) -> Result<(), Halt> {
         let step = Step {
-            t: self.t,
+            t: self.stand.t,
             h: trial.h,
-            x: &self.x,
-            f: &self.f,
-            d: &self.d,
+            x: &self.stand.x,
+            f: &self.stand.f,
+            d: &self.stand.d,
             x_end: &self.x_end,
             f_end: &self.f_end,
         };
@@ -374,11 +436,11 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             Some(found) => self.shorten(trial, found)?,
         };
         let step = Step {
-            t: self.t,
+            t: self.stand.t,
             h: taken.h,
-            x: &self.x,
-            f: &self.f,
-            d: &self.d,
+            x: &self.stand.x,
+            f: &self.stand.f,
+            d: &self.stand.d,
             x_end: &self.x_end,
             f_end: &self.f_end,
         };
@@ -386,33 +448,40 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             self.rows
                 .inside(&mut self.flow, &mut self.method, &step, taken.end),
         )?;
-        self.summary.statistics.accepted += 1;
+        self.stand.statistics.accepted += 1;
         let is_outside = self
             .flow
             .system
             .is_outside_tables(self.flow.own(&self.x_end));
-        self.summary.statistics.outside_tables += u64::from(is_outside);
-        self.summary.statistics.stiff += u64::from(self.method.is_stiff());
-        if let Pace::Adaptive(control) = &mut self.pace {
+        self.stand.statistics.outside_tables += u64::from(is_outside);
+        self.stand.statistics.stiff += u64::from(self.method.is_stiff());
+        if let Pace::Adaptive(control) = &mut self.stand.pace {
             let order = self.method.order();
             control.accepted(taken.h, error, order, self.flow.own(&self.x_end));
             if let Some(longest) = self.method.accepted(&step, control.judged_by()) {
                 control.restart(longest);
             }
         }
-        self.t = taken.end;
-        std::mem::swap(&mut self.x, &mut self.x_end);
-        std::mem::swap(&mut self.d, &mut self.d_end);
-        std::mem::swap(&mut self.f, &mut self.f_end);
-        self.crossings.stand(&self.flow, self.t, &self.x, &self.d);
-        recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
+        self.stand.t = taken.end;
+        std::mem::swap(&mut self.stand.x, &mut self.x_end);
+        std::mem::swap(&mut self.stand.d, &mut self.d_end);
+        std::mem::swap(&mut self.stand.f, &mut self.f_end);
+        self.crossings
+            .stand(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
+        recorded(
+            self.rows
+                .step_end(&self.flow, self.stand.t, &self.stand.x, &self.stand.d),
+        )?;
         self.shortened = f64::INFINITY;
         self.watch_loops()?;
         let happened = found.is_some();
         if let Some(found) = found {
             self.happen(found.all)?;
-            self.pace.restart(0.25 * trial.h);
-            recorded(self.rows.step_end(&self.flow, self.t, &self.x, &self.d))?;
+            self.stand.pace.restart(0.25 * trial.h);
+            recorded(
+                self.rows
+                    .step_end(&self.flow, self.stand.t, &self.stand.x, &self.stand.d),
+            )?;
         }
         self.arrive(happened)
     }
@@ -420,11 +489,13 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
     /// Takes a sample and passes kinks, if there are any where the walk stands; events that
     /// happened may have moved kinks.
     pub fn arrive(&mut self, happened: bool) -> Result<(), Halt> {
-        let sampled = self.stops.pass(&self.flow, self.t, &self.x, &self.d);
+        let sampled = self
+            .stops
+            .pass(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
         if sampled {
-            self.pace.stop_over();
+            self.stand.pace.stop_over();
         }
-        if !self.is_over() && (happened || sampled || self.t >= self.next_break()) {
+        if !self.is_over() && (happened || sampled || self.stand.t >= self.next_break()) {
             self.pass_kinks()?;
         }
         Ok(())
@@ -432,12 +503,17 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
 
     /// Ends the run where a loop comes to its dead point.
     fn watch_loops(&mut self) -> Result<(), Halt> {
-        let x = self.flow.own(&self.x);
-        self.approach
-            .stand(self.flow.system, self.t, x, &self.d, &self.flow.u);
-        match self.approach.reached() {
+        let x = self.flow.own(&self.stand.x);
+        self.stand.approach.stand(
+            self.flow.system,
+            self.stand.t,
+            x,
+            &self.stand.d,
+            &self.flow.u,
+        );
+        match self.stand.approach.reached() {
             Some((index, left)) => {
-                self.t = (self.t + left).min(self.next_break());
+                self.stand.t = (self.stand.t + left).min(self.next_break());
                 Err(BreakdownKind::DeadPoint(index).into())
             }
             None => Ok(()),
@@ -452,22 +528,23 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         for _ in 0..4 {
             self.method.step(
                 &mut self.flow,
-                self.t,
+                self.stand.t,
                 h,
-                &self.x,
-                &self.f,
-                &self.d,
+                &self.stand.x,
+                &self.stand.f,
+                &self.stand.d,
                 &mut self.x_end,
             );
             self.flow.system.events(
-                self.t + h,
+                self.stand.t + h,
                 self.flow.own(&self.x_end),
-                &self.d,
+                &self.stand.d,
                 &self.flow.u,
                 &mut values,
             );
             let correction = -values[found.index] / found.slope;
-            let is_settled = correction.abs() <= 1e-14 * trial.h + f64::EPSILON * self.t.abs();
+            let is_settled =
+                correction.abs() <= 1e-14 * trial.h + f64::EPSILON * self.stand.t.abs();
             // A touch without a slope has no better place.
             if !(found.slope > 0.0) || is_settled || !(correction.abs() < 1e-3 * trial.h) {
                 break;
@@ -476,7 +553,7 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         }
         let trial = Trial {
             h,
-            end: (self.t + h).min(trial.end),
+            end: (self.stand.t + h).min(trial.end),
         };
         match self.finish(trial.end) {
             Ok(()) => Ok(trial),
@@ -490,32 +567,39 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         while !events.is_empty() {
             rounds += 1;
             for index in events {
-                if self.crossings.happens(index, self.t) || rounds > MOST_AT_ONCE {
+                if self.crossings.happens(index, self.stand.t) || rounds > MOST_AT_ONCE {
                     return Err(BreakdownKind::Chatter(index).into());
                 }
-                self.summary.statistics.events += 1;
+                self.stand.statistics.events += 1;
                 if self.summary.events.len() < MOST_RECORDS {
                     self.summary.events.push(EventRecord {
-                        time: self.t,
+                        time: self.stand.t,
                         index,
                     });
                 }
-                let before = self.flow.stored(self.t, &self.x, &self.d);
+                let before = self.flow.stored(self.stand.t, &self.stand.x, &self.stand.d);
                 let action = self.flow.system.pass_event(
                     index,
-                    self.t,
-                    &mut self.x[..self.flow.states],
-                    &mut self.d,
+                    self.stand.t,
+                    &mut self.stand.x[..self.flow.states],
+                    &mut self.stand.d,
                     &self.flow.u,
                 );
-                let after = self.flow.stored(self.t, &self.x, &self.d);
-                self.flow.book_event(&mut self.x, after - before);
+                let after = self.flow.stored(self.stand.t, &self.stand.x, &self.stand.d);
+                self.flow.book_event(&mut self.stand.x, after - before);
                 if let EventAction::Stop(reason) = action {
-                    recorded(self.rows.end(&self.flow, self.t, &self.x, &self.d))?;
+                    recorded(self.rows.end(
+                        &self.flow,
+                        self.stand.t,
+                        &self.stand.x,
+                        &self.stand.d,
+                    ))?;
                     return Err(Halt::Ending(Ending::Stopped(reason)));
                 }
             }
-            events = self.crossings.jumped(&self.flow, self.t, &self.x, &self.d);
+            events = self
+                .crossings
+                .jumped(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
         }
         self.rates()
     }
@@ -526,8 +610,8 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         let mut passed = 0;
         let system = self.flow.system;
         loop {
-            system.next_kinks(&self.d, &mut self.kinks);
-            let now = self.t + 4.0 * f64::EPSILON * self.t.abs();
+            system.next_kinks(&self.stand.d, &mut self.kinks);
+            let now = self.stand.t + 4.0 * f64::EPSILON * self.stand.t.abs();
             let Some(index) = self.kinks.iter().position(|&kink| kink <= now) else {
                 break;
             };
@@ -535,25 +619,32 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
             if passed > MOST_AT_ONCE * self.kinks.len() {
                 return Err(BreakdownKind::CrowdedKinks(index).into());
             }
-            let before = self.flow.stored(self.t, &self.x, &self.d);
-            system.pass_kink(index, &mut self.d);
-            let after = self.flow.stored(self.t, &self.x, &self.d);
-            self.flow.book_supplied(&mut self.x, after - before);
-            self.summary.statistics.kinks += 1;
+            let before = self.flow.stored(self.stand.t, &self.stand.x, &self.stand.d);
+            system.pass_kink(index, &mut self.stand.d);
+            let after = self.flow.stored(self.stand.t, &self.stand.x, &self.stand.d);
+            self.flow.book_supplied(&mut self.stand.x, after - before);
+            self.stand.statistics.kinks += 1;
         }
         if passed == 0 {
             return Ok(false);
         }
-        let events = self.crossings.jumped(&self.flow, self.t, &self.x, &self.d);
+        let events = self
+            .crossings
+            .jumped(&self.flow, self.stand.t, &self.stand.x, &self.stand.d);
         self.happen(events)?;
-        self.pace.restart(f64::INFINITY);
+        self.stand.pace.restart(f64::INFINITY);
         Ok(true)
     }
 
     /// Rates where the walk stands.
     fn rates(&mut self) -> Result<(), Halt> {
-        self.flow.rates(self.t, &self.x, &self.d, &mut self.f);
-        if all_finite(&self.x) && all_finite(&self.f) {
+        self.flow.rates(
+            self.stand.t,
+            &self.stand.x,
+            &self.stand.d,
+            &mut self.stand.f,
+        );
+        if all_finite(&self.stand.x) && all_finite(&self.stand.f) {
             Ok(())
         } else {
             Err(self.not_finite(0.0).into())

@@ -398,7 +398,8 @@ mod tests {
 
     #[test]
     fn what_has_no_curve() {
-        let functions: [(&str, fn(f64) -> f64); 7] = [
+        type Named = (&'static str, fn(f64) -> f64);
+        let functions: [Named; 7] = [
             ("grows", |v| v * v),
             ("turns", |v| Real::sin(v)),
             ("steep", |v| 1.0 / (1.0 + Real::sqrt(Real::abs(v)))),

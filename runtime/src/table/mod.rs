@@ -179,6 +179,18 @@ impl<T: Real, const N: usize> Table<T, N> {
         near
     }
 
+    /// Positive in lanes where there is an interval to be in, or might have been, and a value of the
+    /// coordinate is outside.
+    #[inline(always)]
+    pub fn left_by(&self, coordinate: T) -> T {
+        let no = T::from_f64(-1.0);
+        if self.is_fitted {
+            self.inside(coordinate).if_positive(no, T::from_f64(1.0))
+        } else {
+            no
+        }
+    }
+
     /// Positive where the coordinate is inside the interval.
     #[inline(always)]
     pub(crate) fn inside(&self, coordinate: T) -> T {

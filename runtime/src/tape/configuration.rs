@@ -140,6 +140,20 @@ impl Configurations<f64> {
     }
 }
 
+impl<L: Lanes> Configurations<L> {
+    /// Positive in lanes where a coordinate is outside of its table's interval.
+    #[inline(always)]
+    pub fn outside_in_lanes(&self, program: &TapeProgram, x: &[L]) -> L {
+        let mut outside = L::from_f64(-1.0);
+        for (configuration, tables) in program.configurations.iter().zip(&self.tables) {
+            if let Some(table) = tables.first() {
+                outside = outside.larger(table.left_by(x[configuration.coordinate]));
+            }
+        }
+        outside
+    }
+}
+
 /// Closed forms everywhere.
 fn no_tables(program: &TapeProgram) -> Vec<Vec<Table<f64, WIDTH>>> {
     program.configurations.iter().map(without_tables).collect()

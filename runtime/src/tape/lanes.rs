@@ -37,6 +37,10 @@ impl<L: Lanes> TapeLanes<L> {
 
 impl LaneSystem for TapePrepared {
     type InLanes<L: Lanes> = TapeLanes<L>;
+    type States<L: Lanes> = Vec<L>;
+    type Discretes<L: Lanes> = Vec<L>;
+    type Loops<L: Lanes> = Vec<L>;
+    type Events<L: Lanes> = Vec<L>;
 
     fn in_every_lane<L: Lanes>(&self) -> TapeLanes<L> {
         TapeLanes {
@@ -107,5 +111,10 @@ impl LaneSystem for TapePrepared {
     ) {
         let arguments = Arguments::new(t, x, d, u);
         lanes.evaluate(&lanes.program.closures, &lanes.closures, arguments, values);
+    }
+
+    #[inline(always)]
+    fn outside_tables_in_lanes<L: Lanes>(lanes: &TapeLanes<L>, x: &[L]) -> L {
+        lanes.configurations.outside_in_lanes(&lanes.program, x)
     }
 }

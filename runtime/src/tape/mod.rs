@@ -25,6 +25,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
+use crate::simulate::PlainSteps;
 use crate::system::{Energy, EventAction, System, Variable};
 use crate::table::TableReport;
 use code::Arguments;
@@ -357,5 +358,9 @@ impl System for TapePrepared {
 
     fn is_outside_tables(&self, x: &[f64]) -> bool {
         self.configurations.is_outside(&self.program, x)
+    }
+
+    fn take_plain_steps(&self, steps: &mut PlainSteps<'_>) {
+        steps.on_lanes(self);
     }
 }

@@ -9,11 +9,7 @@
 //! A trajectory's numbers depend on its parameter set, the settings and the instructions that the
 //! lanes use, and on nothing else: not on threads, not on its lane, not on its neighbours.
 
-mod block;
-mod lockstep;
 mod outcome;
-mod own_steps;
-mod steps;
 mod worker;
 
 use std::marker::PhantomData;
@@ -36,8 +32,9 @@ const STACK: usize = 64 << 20;
 /// [`Ensemble::run`] does them. A parameter set that was refused has its place among the results.
 ///
 /// Each run is the one that [`simulate`](super::simulate()) gives: kinks of drives and samples at
-/// the end of a step, events located, the same choice of steps. On lanes of plain numbers the two
-/// agree to the last bit where no samples are taken, else to the rounding of the lanes' functions.
+/// the end of a step, events located, the same choice of steps. The two agree to rounding: a run
+/// alone may have curves that lanes do not, and takes more of its steps by itself where rows are
+/// recorded.
 ///
 /// All systems must be of one model: lanes lay their parameter sets side by side.
 ///

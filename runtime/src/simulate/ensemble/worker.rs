@@ -7,19 +7,20 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::block::Block;
-use super::lockstep::Lockstep;
 use super::outcome::{Trajectory, TrajectoryFailure};
-use super::own_steps::OwnSteps;
-use super::steps::{Steps, Verdict};
 use crate::diagnostic::Diagnostic;
 use crate::lanes::{LaneSystem, Lanes, Task};
 use crate::simulate::accounting::Flow;
 use crate::simulate::breakdown::Breakdown;
+use crate::simulate::dormand_prince::DormandPrince;
 use crate::simulate::method::Method;
+use crate::simulate::pace::Pace;
+use crate::simulate::plain::{Block, Lockstep, OwnSteps, Steps, Verdict, Way};
 use crate::simulate::rows::Recording;
+use crate::simulate::runge_kutta::RungeKutta;
 use crate::simulate::settings::{Accuracy, Settings};
 use crate::simulate::walk::{Halt, Walk};
+use crate::system::Variable;
 
 /// Rounds in a row that one lane may keep the others waiting, or go on while one waits.
 const TURN: u64 = 32;
@@ -79,11 +80,19 @@ impl<S: LaneSystem> Task for Worker<'_, S> {
     #[inline(always)]
     fn run<L: Lanes>(self) -> Self::Output {
         match self.settings.accuracy {
-            Accuracy::Step(dt) => self.follow::<L, Lockstep<L>>(dt),
-            Accuracy::Relative(rtol) => self.follow::<L, OwnSteps<L>>(rtol),
+            Accuracy::Step(dt) => self.follow::<L, Lockstep<L>, _>(&|_, states| {
+                Ok((RungeKutta::new(states.len()), Pace::fixed(dt)))
+            }),
+            Accuracy::Relative(rtol) => self.follow::<L, OwnSteps<S, L>, _>(&|settings, states| {
+                let control = settings.control(rtol, states)?;
+                Ok((DormandPrince::new(states.len()), Pace::Adaptive(control)))
+            }),
         }
     }
 }
+
+/// Method and pace of a walk over these states, or what makes no sense about the settings.
+type Start<'q, M> = &'q dyn Fn(&Settings, &[Variable]) -> Result<(M, Pace), Breakdown>;
 
 /// A trajectory in a lane.
 struct Seat<'q, S: LaneSystem, M> {
@@ -94,23 +103,25 @@ struct Seat<'q, S: LaneSystem, M> {
 }
 
 /// The lanes of a worker and who sits in them.
-struct Crew<'q, S: LaneSystem, L: Lanes, P: Steps<L>> {
+struct Crew<'q, 'f, S: LaneSystem, L: Lanes, P, M> {
     worker: Worker<'q, S>,
-    /// Length of steps, or their relative tolerance.
-    accuracy: f64,
+    start: Start<'f, M>,
     /// Made with the first trajectory.
     lanes: Option<(Block<S, L>, P)>,
-    seats: Vec<Option<Seat<'q, S, P::Method>>>,
+    seats: Vec<Option<Seat<'q, S, M>>>,
     outcomes: Vec<(usize, Outcome)>,
 }
 
 impl<'q, S: LaneSystem> Worker<'q, S> {
     #[inline(always)]
-    fn follow<L: Lanes, P: Steps<L>>(self, accuracy: f64) -> Vec<(usize, Outcome)> {
+    fn follow<L: Lanes, P: Steps<S, L>, M: Method>(
+        self,
+        start: Start<'_, M>,
+    ) -> Vec<(usize, Outcome)> {
         let count = self.most_lanes.clamp(1, L::COUNT);
-        let mut crew = Crew::<S, L, P> {
+        let mut crew = Crew::<S, L, P, M> {
             worker: self,
-            accuracy,
+            start,
             lanes: None,
             seats: (0..count).map(|_| None).collect(),
             outcomes: Vec::new(),
@@ -131,11 +142,11 @@ impl<'q, S: LaneSystem> Worker<'q, S> {
     }
 
     /// A walk that stands at its start, or why there is none.
-    fn set_out<L: Lanes, P: Steps<L>>(
+    fn set_out<M: Method>(
         &self,
         job: &'q Job<S>,
-        accuracy: f64,
-    ) -> Result<Walk<'q, S, P::Method>, TrajectoryFailure> {
+        start: Start<'_, M>,
+    ) -> Result<Walk<'q, S, M>, TrajectoryFailure> {
         let system = job
             .system
             .as_ref()
@@ -148,7 +159,7 @@ impl<'q, S: LaneSystem> Worker<'q, S> {
         let inputs = settings.inputs(system.inputs()).map_err(failed)?;
         check_samples(&job.samples, job.until).map_err(failed)?;
         let flow = Flow::new(system, inputs, false);
-        let (method, pace) = P::of_a_walk(accuracy, system.states(), &settings).map_err(failed)?;
+        let (method, pace) = start(&settings, system.states()).map_err(failed)?;
         let nobody = Recording {
             recorder: None,
             every: None,
@@ -160,7 +171,7 @@ impl<'q, S: LaneSystem> Worker<'q, S> {
     }
 }
 
-impl<'q, S: LaneSystem, L: Lanes, P: Steps<L>> Crew<'q, S, L, P> {
+impl<S: LaneSystem, L: Lanes, P: Steps<S, L>, M: Method> Crew<'_, '_, S, L, P, M> {
     /// Brings every seat to where its lane can go on; how many can, and how many are not there yet.
     fn settle(&mut self) -> (usize, usize) {
         let (mut moving, mut waiting) = (0, 0);
@@ -186,7 +197,7 @@ impl<'q, S: LaneSystem, L: Lanes, P: Steps<L>> Crew<'q, S, L, P> {
     /// Gives an empty seat the next trajectory that sets out; whether there is one.
     fn fill(&mut self, lane: usize) -> bool {
         while let Some((index, job)) = self.worker.queue.take() {
-            let mut walk = match self.worker.set_out::<L, P>(job, self.accuracy) {
+            let mut walk = match self.worker.set_out(job, self.start) {
                 Ok(walk) => walk,
                 Err(failure) => {
                     self.outcomes.push((index, Err(failure)));
@@ -198,8 +209,10 @@ impl<'q, S: LaneSystem, L: Lanes, P: Steps<L>> Crew<'q, S, L, P> {
                 continue;
             }
             let (block, _) = self.lanes.get_or_insert_with(|| {
-                let block = Block::new(walk.flow.system, &walk.flow.u);
-                (block, P::new(walk.x.len()))
+                let system = walk.flow.system;
+                let in_lanes = Box::new(system.in_every_lane());
+                let block = Block::new(system, in_lanes, &walk.flow.u);
+                (block, P::new(walk.stand.x.len()))
             });
             walk.flow.system.put_in_lane(lane, &mut block.system);
             self.seats[lane] = Some(Seat {
@@ -218,10 +231,13 @@ impl<'q, S: LaneSystem, L: Lanes, P: Steps<L>> Crew<'q, S, L, P> {
             return false;
         };
         let walk = &mut seat.walk;
-        if !seat.in_lane && !walk.is_over() && walk.is_quiet() && steps.can_take(walk) {
-            block.load(lane, walk);
-            steps.load(lane, walk);
-            seat.in_lane = true;
+        if !seat.in_lane && !walk.is_over() && walk.is_quiet() {
+            let to = walk.next_break();
+            if P::can_take(&mut walk.stand, to) {
+                block.load(lane, &walk.stand);
+                steps.load(lane, &mut walk.stand, &Way::to(to));
+                seat.in_lane = true;
+            }
         }
         seat.in_lane
     }
@@ -249,7 +265,9 @@ impl<'q, S: LaneSystem, L: Lanes, P: Steps<L>> Crew<'q, S, L, P> {
             if !seat.in_lane || verdict == Verdict::UnderWay {
                 continue;
             }
-            steps.store(lane, &mut seat.walk, block);
+            let to = seat.walk.next_break();
+            steps.store(lane, &mut seat.walk.stand, Way::to(to), block);
+            seat.walk.resume();
             seat.in_lane = false;
             let went = match verdict {
                 Verdict::Arrived => seat.walk.arrive(false),
