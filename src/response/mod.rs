@@ -41,7 +41,6 @@
 // `!(a > b)` is meant where it stands: what is not a number is then on the safe side.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
-mod displaced;
 mod experiment;
 mod linear;
 mod sensitivity;
@@ -57,7 +56,6 @@ use flexure_runtime::simulate::{
     Ending, Ensemble, Sample, Trajectory, TrajectoryFailure, ensemble,
 };
 
-use displaced::Displaced;
 pub use experiment::{Deviation, Experiment};
 pub use linear::{DEFINITIONS, Definition, LinearRegime, linear_regime};
 pub use sensitivity::{Effect, Step, Variation, sensitivity, share};
@@ -249,15 +247,12 @@ impl<'a, P> Response<'a, P> {
         let prepare = &self.prepare;
         let systems = runs.iter().map(|run| {
             positive(self.frequencies[run.point])?;
-            let system = prepare(run.point)?;
-            Ok(Displaced {
-                system,
-                offset: run.offset,
-            })
+            prepare(run.point)
         });
         let mut runs_to_do: Ensemble<'_, _> = ensemble(systems)
             .rtol(self.rtol)
             .threads(self.threads)
+            .offsets_each(|run| vec![runs[run].offset])
             .until_each(|run| last / frequency(run))
             .samples_each(|run| times.iter().map(|cycle| cycle / frequency(run)).collect());
         for &(index, value) in &self.inputs {
