@@ -225,7 +225,9 @@ fn sensitivities_are_those_of_the_formula() {
         "--param", "F", "--param", "F+L:20%", "--param", "zero:0.5", "-o", "s.csv",
     ]);
     let answer = done(&here, "sensitivity", &call);
-    assert!(answer.out.contains("its own window"), "{}", answer.out);
+    for words in ["its own window", "+10 %", "+20 %", "+0.5"] {
+        assert!(answer.out.contains(words), "{words}: {}", answer.out);
+    }
     let (names, rows) = rows(&here, "s.csv");
     let column = |name: &str| names.iter().position(|n| n == name).unwrap();
     assert_eq!(rows.len(), 3 * 4);

@@ -89,7 +89,7 @@ impl Axis {
 }
 
 /// A value of a param with its unit, for people: `5 N`.
-pub fn shown(name: &str, value: f64, model: &Model) -> String {
+fn shown(name: &str, value: f64, model: &Model) -> String {
     let params = model.params().iter().zip(&model.equations().params);
     let found = params.into_iter().find(|(param, _)| param.name == name);
     let Some((variable, param)) = found else {

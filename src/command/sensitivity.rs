@@ -12,7 +12,6 @@ use flexure::response::{
 use flexure::runtime::diagnostic::Diagnostic;
 
 use super::actuator::{Actuation, Actuator};
-use super::axis::shown;
 use super::columns::columns;
 use super::plot::scale;
 use super::terminal::Terminal;
@@ -118,16 +117,17 @@ impl Study<'_> {
         Effect::of(&self.curve(0), &self.curve(variation + 1), definition)
     }
 
-    fn step(&self, variation: &Variation) -> String {
-        let signed = |text: String| match text.starts_with('−') {
-            true => text,
+    /// The step of a change: a share, or as it was written.
+    fn step(&self, index: usize) -> String {
+        let signed = |text: &str| match text.starts_with(['−', '-', '+']) {
+            true => text.to_owned(),
             false => format!("+{text}"),
         };
-        match variation.step {
-            Step::Share(share) => format!("{} %", signed(scale::number(100.0 * share, 6))),
-            Step::Absolute(step) => {
-                let name = variation.params.first().map_or("", String::as_str);
-                signed(shown(name, step, self.actuator.model()))
+        let written = self.arguments.param[index].split_once(':');
+        match (self.variations[index].step, written) {
+            (Step::Absolute(_), Some((_, step))) => signed(step.trim()),
+            (Step::Share(step) | Step::Absolute(step), _) => {
+                format!("{} %", signed(&scale::number(100.0 * step, 6)))
             }
         }
     }
@@ -193,7 +193,7 @@ impl Study<'_> {
             .iter()
             .enumerate()
             .map(|(index, variation)| {
-                let mut row = vec![variation.name(), self.step(variation)];
+                let mut row = vec![variation.name(), self.step(index)];
                 let Some(effect) = self.effect(index, definition) else {
                     return row;
                 };
@@ -288,7 +288,8 @@ impl Study<'_> {
         let changed = self
             .variations
             .iter()
-            .map(|v| format!("{} {}", v.name(), self.step(v)));
+            .enumerate()
+            .map(|(index, v)| format!("{} {}", v.name(), self.step(index)));
         for (name, outcomes) in nominal.chain(changed).zip(self.outcomes) {
             let mut failed = outcomes.iter().filter_map(|outcome| outcome.as_ref().err());
             if let Some(why) = failed.next() {
