@@ -1,14 +1,11 @@
-//! Values of params as they are written on the command line: `f=100Hz..2000Hz:100Hz`,
-//! `Fp=1N,5N,10N`, and params that go together, `mu_s,mu_c=0.15,0.10;0.3,0.2`.
+//! Values of params of a family of curves: of one param as in a sweep, `Fp=1N,5N,10N`, and of several
+//! that go together, `mu_s,mu_c=0.15,0.10;0.3,0.2`.
 
 use flexure::model_dsl::units::Mark;
 use flexure::runtime::diagnostic::Diagnostic;
-use flexure::{Design, Model, quantity, split_assignment};
+use flexure::{Design, Model, quantity, split_assignment, study};
 
 use super::plot::scale;
-
-/// More values than this are a slip of the pen.
-const MOST_VALUES: f64 = 1e5;
 
 /// Params and the values that they take, together.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,20 +32,18 @@ impl Axis {
         for name in &names {
             model.design().set(name, 0.0)?;
         }
-        let values = match (names.as_slice(), values.split_once("..")) {
-            ([name], Some((from, rest))) => range(written, name, from, rest, model)?
-                .into_iter()
-                .map(|value| vec![value])
-                .collect(),
-            ([name], None) => values
-                .split(',')
-                .map(|text| Ok(vec![value(name, text, model)?]))
-                .collect::<Result<_, Diagnostic>>()?,
-            (names, _) => values
-                .split(';')
-                .map(|tuple| together(written, names, tuple, model))
-                .collect::<Result<_, Diagnostic>>()?,
-        };
+        if let [name] = names.as_slice() {
+            let axis = study::Axis::parse(model, written)?;
+            let values = axis.values.into_iter().map(|value| vec![value]).collect();
+            return Ok(Self {
+                names: vec![name.clone()],
+                values,
+            });
+        }
+        let tuples = values.split(';');
+        let values = tuples
+            .map(|tuple| together(written, &names, tuple, model))
+            .collect::<Result<_, Diagnostic>>()?;
         Ok(Self { names, values })
     }
 
@@ -107,42 +102,6 @@ fn value(name: &str, text: &str, model: &Model) -> Result<f64, Diagnostic> {
     let param = params.iter().find(|param| param.name == name);
     let dimension = param.map(|param| param.dimension).unwrap_or_default();
     quantity(name, text.trim(), dimension)
-}
-
-fn range(
-    written: &str,
-    name: &str,
-    from: &str,
-    rest: &str,
-    model: &Model,
-) -> Result<Vec<f64>, Diagnostic> {
-    let Some((to, step)) = rest.split_once(':') else {
-        return Err(
-            Diagnostic::error(format!("the range `{written}` has no step"))
-                .hint("write it behind a colon: `f=100Hz..2000Hz:100Hz`"),
-        );
-    };
-    let (from, to, step) = (
-        value(name, from, model)?,
-        value(name, to, model)?,
-        value(name, step, model)?,
-    );
-    // A hair above a whole number of steps is that number.
-    let steps = ((to - from) / step * (1.0 + 1e-12) + 1e-9).floor();
-    if steps.is_nan() || steps < 0.0 {
-        return Err(Diagnostic::error(format!("the range `{written}` is empty"))
-            .hint("the step must lead from the first value to the last"));
-    }
-    if steps >= MOST_VALUES {
-        return Err(Diagnostic::error(format!(
-            "the range `{written}` has {:.1e} values, more than {MOST_VALUES:.0e} are not allowed",
-            steps + 1.0
-        ))
-        .hint("give a longer step"));
-    }
-    Ok((0..=steps as u32)
-        .map(|k| from + f64::from(k) * step)
-        .collect())
 }
 
 /// Values of several params: one for each, or one for all.
@@ -219,11 +178,9 @@ mod tests {
         let cases = [
             ("f", "sets nothing"),
             ("g=1,2", "no param `g`"),
-            ("f=100Hz..2kHz", "has no step"),
+            ("f=100Hz..2kHz", "has no spacing"),
             ("f=2kHz..1kHz:100Hz", "is empty"),
-            ("f=1kHz..2kHz:0Hz", "not allowed"),
-            ("f=1kHz..1kHz:0Hz", "is empty"),
-            ("f=0Hz..1GHz:1Hz", "not allowed"),
+            ("mu_s+mu_c=1,2", "no param `mu_s+mu_c`"),
             ("Fp=1N,2mm", "`Fp` is a force"),
             ("mu_s,mu_c=1,2,3", "has 3 values for 2 params"),
         ];

@@ -35,13 +35,19 @@ pub fn push_fields(line: &mut String, fields: &[String]) {
 
 /// Appends a row.
 pub fn push_row(line: &mut String, values: &[f64]) {
-    for (index, value) in values.iter().enumerate() {
-        if index > 0 {
-            line.push(',');
-        }
-        let _ = write!(line, "{value:.16e}");
+    push_values(line, values);
+    // No field follows the last.
+    if line.ends_with(',') {
+        line.pop();
     }
     line.push('\n');
+}
+
+/// Appends fields of numbers, a comma behind each.
+pub fn push_values<'v>(line: &mut String, values: impl IntoIterator<Item = &'v f64>) {
+    for value in values {
+        let _ = write!(line, "{value:.16e},");
+    }
 }
 
 #[cfg(test)]
