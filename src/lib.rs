@@ -36,6 +36,7 @@ mod assembled;
 mod macros;
 mod model;
 mod reach;
+pub mod response;
 pub mod statics;
 #[cfg(feature = "study")]
 pub mod study;

@@ -92,7 +92,16 @@ fn with_oscillator(name: &str) -> PathBuf {
 fn help_has_examples_everywhere() {
     let here = folder("help");
     for subcommand in [
-        "new", "check", "derive", "emit", "simulate", "static", "modes", "sweep",
+        "new",
+        "check",
+        "derive",
+        "emit",
+        "simulate",
+        "static",
+        "modes",
+        "sweep",
+        "response",
+        "sensitivity",
     ] {
         let answer = flexure(&here, &[subcommand, "--help"]).is(0);
         assert!(answer.out.contains("Examples:"), "{}", answer.out);

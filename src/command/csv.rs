@@ -23,6 +23,16 @@ pub fn push_text(line: &mut String, text: &str) {
     }
 }
 
+/// A number as a field.
+pub fn number(value: f64) -> String {
+    format!("{value:.16e}")
+}
+
+/// Appends a row of fields of any kind.
+pub fn push_fields(line: &mut String, fields: &[String]) {
+    push_header(line, fields.iter().map(String::as_str));
+}
+
 /// Appends a row.
 pub fn push_row(line: &mut String, values: &[f64]) {
     push_values(line, values);

@@ -1,12 +1,15 @@
 //! The `flexure` command: its subcommands and options, and how a call ends.
 //!
 //! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`],
-//! [`statics`], [`modes`], [`sweep`]. They report failures as [`Failure`], which knows its exit
-//! status: 1 where the model or the run failed or a file could not be read or written, 2 where the
-//! call itself is wrong (an unknown option, an
-//! unknown parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
+//! [`statics`], [`modes`], [`sweep`], [`response`], [`sensitivity`]. They report failures as
+//! [`Failure`], which knows its exit status: 1 where the model or the run failed or a file could
+//! not be read or written, 2 where the call itself is wrong (an unknown option, an unknown
+//! parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
 
+mod actuator;
+mod axis;
 mod check;
+mod columns;
 mod csv;
 mod derive;
 mod emit;
@@ -17,6 +20,8 @@ mod output;
 mod plot;
 mod portrait;
 mod recording;
+mod response;
+mod sensitivity;
 mod settings;
 mod simulate;
 mod statics;
@@ -68,6 +73,8 @@ enum Command {
     Static(statics::Arguments),
     Modes(modes::Arguments),
     Sweep(sweep::Arguments),
+    Response(response::Arguments),
+    Sensitivity(sensitivity::Arguments),
 }
 
 /// Why a call did not do what it was asked.
@@ -121,6 +128,8 @@ pub fn run() -> ExitCode {
         Command::Static(arguments) => statics::run(&arguments, &terminal),
         Command::Modes(arguments) => modes::run(&arguments, &terminal),
         Command::Sweep(arguments) => sweep::run(&arguments, &terminal),
+        Command::Response(arguments) => response::run(&arguments, &terminal),
+        Command::Sensitivity(arguments) => sensitivity::run(&arguments, &terminal),
     };
     match outcome {
         Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,

@@ -2,9 +2,11 @@
 //!
 //! [`panels`] chooses what is worth looking at, [`figure`] draws it, [`layout`] and [`mechanism`]
 //! draw the mechanism, [`page`] puts both into one self-contained HTML file with parameters and equations;
+//! [`frequency`] draws frequency responses;
 //! [`scale`] knows prefixes and ticks, [`svg`] colours, escaping and thinning.
 
 pub mod figure;
+pub mod frequency;
 mod labels;
 mod layout;
 pub mod mechanism;
