@@ -34,6 +34,9 @@ mod macros;
 mod model;
 mod reach;
 
+pub mod picture;
+pub mod report;
+
 pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
 pub use flexure_codegen as codegen;
 pub use flexure_model_dsl as model_dsl;

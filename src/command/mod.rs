@@ -11,7 +11,7 @@ mod derive;
 mod emit;
 mod new;
 mod output;
-mod plot;
+mod panels;
 mod portrait;
 mod recording;
 mod settings;

@@ -4,12 +4,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use flexure::picture::with_unit;
 use flexure::runtime::simulate::{BreakdownKind, Ending, Integrator, Simulation, simulate};
 use flexure::runtime::system::System;
 
 use super::Failure;
 use super::output::{self, OutputFile, cannot_write, same_file};
-use super::plot::scale;
 use super::portrait::Portrait;
 use super::recording::Recording;
 use super::settings::{Chosen, Settings, non_negative_time, time, tolerance};
@@ -244,5 +244,5 @@ impl Arguments {
 }
 
 fn seconds(value: f64) -> String {
-    scale::with_unit(value, "s", 6)
+    with_unit(value, "s", 6)
 }

@@ -12,7 +12,7 @@ use super::strokes::{
     shifted, unit,
 };
 use super::svg::pixel;
-use flexure::{Places, Point};
+use crate::assembled::{Places, Point};
 
 const WIDEST: f64 = 760.0;
 const HIGHEST: f64 = 420.0;

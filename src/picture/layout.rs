@@ -2,7 +2,7 @@
 //! (slides that only their motion matters of, ground at the far end of a spring) is placed beside
 //! what it is joined to, in the direction in which the joint acts.
 
-use flexure::{PlacedContact, Places, Point};
+use crate::assembled::{PlacedContact, Places, Point};
 
 /// A mechanism in which everything has a place, in m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -276,7 +276,7 @@ fn shifted(p: Point, direction: Point, by: f64) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use flexure::PlacedSpring;
+    use crate::assembled::PlacedSpring;
 
     fn end(body: &str, at: Option<Point>) -> (String, Option<Point>) {
         (body.to_owned(), at)

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use flexure::Point;
+use crate::assembled::Point;
 
 use super::svg::pixel;
 

@@ -1,0 +1,182 @@
+//! Reports: one self-contained HTML page with words, findings, figures with the tables behind
+//! them, the mechanism, its equations and its settings. It loads nothing from anywhere, follows the
+//! reader's choice of light or dark, prints, and is the same text whenever it is made of the same
+//! data: what differs from run to run (timings) belongs into a file of its own.
+//!
+//! ```
+//! use flexure::picture::{Axis, Chart, Graphic, Look, Panel, Series};
+//! use flexure::report::{Block, Figure, Finding, Report, Section, Verdict};
+//!
+//! let chart = Chart {
+//!     x: Axis::linear("preload", "N"),
+//!     panels: vec![Panel {
+//!         y: Axis::linear("mean speed", "m/s"),
+//!         series: vec![Series::new("speed", [5.0, 10.0], [4e-3, 7e-3], Look::LineAndPoints)],
+//!         ..Panel::default()
+//!     }],
+//!     ..Chart::default()
+//! };
+//! let mut report = Report::new("Preload");
+//! report.sections.push(Section::new("Mean speed", [
+//!     Block::Words("More preload, more speed: see `Fp`.".into()),
+//!     Block::Finding(Finding {
+//!         claim: "Speed grows with preload".into(),
+//!         verdict: Verdict::Holds,
+//!         reason: "7 mm/s at 10 N against 4 mm/s at 5 N".into(),
+//!     }),
+//!     Block::Figure(Figure::new(Graphic::Chart(chart), "Mean speed over cycles 10 to 30.")),
+//! ]));
+//! assert!(report.html().starts_with("<!DOCTYPE html>"));
+//! ```
+//!
+//! [`Block::mechanism`], [`Block::params`] and [`Block::equations`] are made of a model's
+//! [`Design`](crate::Design).
+//! Words from outside are never markup; what stands in them between backticks is set as code.
+
+mod blocks;
+mod page;
+mod style;
+mod table;
+
+use crate::picture::Graphic;
+use crate::{Assembled, Design, Model, Places};
+
+pub use table::{Cells, Column, Table};
+
+/// A page.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Title.
+    pub title: String,
+    /// What it is about: paragraphs with an empty line between.
+    pub words: String,
+    /// Its parts.
+    pub sections: Vec<Section>,
+}
+
+/// A part of a page.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Title.
+    pub title: String,
+    /// What it says, in order.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Block {
+    /// Paragraphs, with an empty line between.
+    Words(String),
+    /// A claim and what became of it.
+    Finding(Finding),
+    /// A figure.
+    Figure(Figure),
+    /// A table, shown whole, under words that may be empty.
+    Table(Table, String),
+    /// What each line is about, and what is said: settings, facts.
+    Facts(Vec<(String, String)>),
+    /// Something the reader must know.
+    Notice(String),
+    /// Text as it is typed.
+    Code(String),
+    /// The mechanism as assembled, with facts on it.
+    Mechanism(Box<Places>, Vec<(String, String)>),
+    /// Values of a model's params.
+    Params(Design),
+    /// A model's equations of motion.
+    Equations(Model),
+    /// Sections side by side where the page is wide.
+    Beside(Vec<Section>),
+}
+
+/// What became of a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The claim, in its author's terms.
+    pub claim: String,
+    /// Whether it holds.
+    pub verdict: Verdict,
+    /// Why, with numbers.
+    pub reason: String,
+}
+
+/// Whether a claim holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It does.
+    Holds,
+    /// Some of it does.
+    InPart,
+    /// It does not.
+    Fails,
+    /// It could not be judged: data are missing.
+    Open,
+}
+
+/// A picture with words below it and the numbers behind it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// The picture.
+    pub graphic: Graphic,
+    /// What it shows, and how it was made.
+    pub caption: String,
+    /// The numbers behind it.
+    pub table: Option<Table>,
+}
+
+impl Report {
+    /// A page without sections.
+    pub fn new(title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            words: String::new(),
+            sections: Vec::new(),
+        }
+    }
+
+    /// The page as HTML.
+    pub fn html(&self) -> String {
+        page::page(self)
+    }
+}
+
+impl Section {
+    /// A section of blocks.
+    pub fn new(title: impl Into<String>, blocks: impl Into<Vec<Block>>) -> Self {
+        Self {
+            title: title.into(),
+            blocks: blocks.into(),
+        }
+    }
+}
+
+impl Figure {
+    /// A figure with the table of what its picture shows.
+    pub fn new(graphic: Graphic, caption: impl Into<String>) -> Self {
+        let table = Table::behind(&graphic);
+        Self {
+            graphic,
+            caption: caption.into(),
+            table: Some(table),
+        }
+    }
+}
+
+impl Block {
+    /// The mechanism as assembled, with what was found on assembling it.
+    pub fn mechanism(assembled: &mut Assembled) -> Self {
+        Self::Mechanism(Box::new(assembled.places()), assembled.facts())
+    }
+
+    /// The params with their values; those that are not the model's defaults are marked.
+    pub fn params(design: &Design) -> Self {
+        Self::Params(design.clone())
+    }
+
+    /// The equations of motion, typeset.
+    pub fn equations(model: &Model) -> Self {
+        Self::Equations(model.clone())
+    }
+}
