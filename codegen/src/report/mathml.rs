@@ -76,24 +76,42 @@ fn row(out: &mut String, left: &str, right: &str, note: &str) {
 
 /// A formula in MathML. What cannot be translated is shown as the LaTeX that it is.
 fn formula(latex: &str) -> String {
+    let latex = without_dollars(latex);
     let storage = Storage::new();
     let config = RenderConfig {
         display_mode: DisplayMode::Block,
         ..RenderConfig::default()
     };
     let mut parsed = Vec::new();
-    for event in Parser::new(latex, &storage) {
+    for event in Parser::new(&latex, &storage) {
         match event {
             Ok(event) => parsed.push(Ok::<_, std::convert::Infallible>(event)),
-            Err(_) => return format!("<code>{}</code>", escaped(latex)),
+            Err(_) => return format!("<code>{}</code>", escaped(&latex)),
         }
     }
     let mut mathml = String::new();
     match push_mathml(&mut mathml, parsed.into_iter(), config) {
         // A name that HTML knows and XML does not.
         Ok(()) => mathml.replace("&nbsp;", "\u{a0}"),
-        Err(_) => format!("<code>{}</code>", escaped(latex)),
+        Err(_) => format!("<code>{}</code>", escaped(&latex)),
     }
+}
+
+/// Mathematics inside of `\text{…}`, between dollar signs, stands beside it instead.
+fn without_dollars(latex: &str) -> String {
+    let mut out = String::with_capacity(latex.len() + 8);
+    let (mut is_inside, mut is_escaped) = (false, false);
+    for c in latex.chars() {
+        match c {
+            '$' if !is_escaped => {
+                out.push_str(if is_inside { r"\text{" } else { "}" });
+                is_inside = !is_inside;
+            }
+            c => out.push(c),
+        }
+        is_escaped = c == '\\' && !is_escaped;
+    }
+    out
 }
 
 /// Words for HTML; what stands between backticks is set as code.
