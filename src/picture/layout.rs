@@ -255,7 +255,7 @@ fn known_points(places: &Places) -> Vec<Point> {
 }
 
 /// The larger side of the box around the points, and a place below it.
-fn extent(points: &[Point]) -> (f64, Point) {
+pub fn extent(points: &[Point]) -> (f64, Point) {
     let Some(first) = points.first() else {
         return (0.0, [0.0; 2]);
     };

@@ -43,5 +43,5 @@ pub(crate) mod svg;
 
 pub use chart::{Axis, Band, Bars, Chart, Look, Panel, Reference, Series, Which};
 pub use graphic::Graphic;
-pub(crate) use mechanism::mechanism;
+pub(crate) use mechanism::{mechanism, moving};
 pub use scale::{DisplayUnit, degrees, display_unit, number, with_unit};

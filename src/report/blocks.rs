@@ -5,10 +5,10 @@ use std::fmt::Write;
 use flexure_codegen::report;
 use flexure_model_dsl::units::Mark;
 
-use super::{Block, Figure, Finding, Table, Verdict};
+use super::{Block, Figure, Finding, Motion, Table, Verdict};
 use crate::Design;
 use crate::picture::svg::escape;
-use crate::picture::{mechanism, with_unit};
+use crate::picture::{mechanism, moving, with_unit};
 
 /// Appends a piece.
 pub fn block(html: &mut String, block: &Block) {
@@ -38,6 +38,7 @@ pub fn block(html: &mut String, block: &Block) {
             facts(html, of);
             html.push_str("</div>\n");
         }
+        Block::Motion(motion) => self::motion(html, motion),
         Block::Params(design) => params(html, design),
         Block::Equations(model) => {
             html.push_str("<div class=\"equations\">\n");
@@ -123,6 +124,26 @@ fn behind(html: &mut String, table: &Table) {
         table.rows(),
         table.html(),
         escape(&table.csv())
+    );
+}
+
+/// The mechanism with a slider for time; without a script it stands still.
+fn motion(html: &mut String, motion: &Motion) {
+    let Some((picture, caption)) = moving(&motion.places, &motion.frames) else {
+        return;
+    };
+    let [from, to] = [motion.times.first(), motion.times.last()]
+        .map(|time| with_unit(time.copied().unwrap_or(0.0), "s", 6));
+    let times: Vec<String> = motion.times.iter().map(|&t| with_unit(t, "s", 5)).collect();
+    let _ = writeln!(
+        html,
+        "<figure class=\"motion\" data-times=\"{}\">\n{picture}\
+         <div class=\"controls\" hidden><button type=\"button\">Play</button>\
+         <input type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"time\"/>\
+         <output></output></div>\n\
+         <figcaption>From {from} to {to}. {caption}</figcaption>\n</figure>",
+        times.join("|"),
+        motion.frames.len().saturating_sub(1)
     );
 }
 

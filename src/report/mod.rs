@@ -39,6 +39,7 @@ mod style;
 mod table;
 
 use crate::picture::Graphic;
+use crate::runtime::diagnostic::Diagnostic;
 use crate::{Assembled, Design, Model, Places};
 
 pub use table::{Cells, Column, Table};
@@ -83,12 +84,74 @@ pub enum Block {
     Code(String),
     /// The mechanism as assembled, with facts on it.
     Mechanism(Box<Places>, Vec<(String, String)>),
+    /// The mechanism in motion.
+    Motion(Box<Motion>),
     /// Values of a model's params.
     Params(Design),
     /// A model's equations of motion.
     Equations(Model),
     /// Sections side by side where the page is wide.
     Beside(Vec<Section>),
+}
+
+/// A mechanism over a span of time.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    places: Places,
+    times: Vec<f64>,
+    frames: Vec<Places>,
+}
+
+/// Pictures of a motion, at equal intervals.
+const FRAMES: usize = 60;
+
+impl Motion {
+    /// The motion from time `from` to `to` in s, best one cycle of the drive, out of a run's
+    /// `times` and the columns of its states in the order of the model's equations, all in SI.
+    /// Between rows places are interpolated. Nothing if the run has fewer than a dozen rows there.
+    ///
+    /// # Errors
+    ///
+    /// If a loop does not close at a state.
+    pub fn new(
+        assembled: &mut Assembled,
+        times: &[f64],
+        states: &[&[f64]],
+        [from, to]: [f64; 2],
+    ) -> Result<Option<Self>, Diagnostic> {
+        let within = times.iter().filter(|t| (from..=to).contains(*t)).count();
+        let is_whole = states.iter().all(|column| column.len() == times.len());
+        if within < 12 || !is_whole || states.is_empty() {
+            return Ok(None);
+        }
+        let times_shown: Vec<f64> = (0..=FRAMES)
+            .map(|k| from + (to - from) * k as f64 / FRAMES as f64)
+            .collect();
+        let frames = times_shown.iter().map(|&time| {
+            let state: Vec<f64> = states
+                .iter()
+                .map(|column| interpolated(times, column, time))
+                .collect();
+            assembled.places_at(&state)
+        });
+        Ok(Some(Self {
+            frames: frames.collect::<Result<_, _>>()?,
+            times: times_shown,
+            places: assembled.places(),
+        }))
+    }
+}
+
+/// The value at a time between rows, times in ascending order.
+fn interpolated(times: &[f64], values: &[f64], time: f64) -> f64 {
+    let above = times.partition_point(|&t| t < time).min(times.len() - 1);
+    let below = above.saturating_sub(1);
+    let span = times[above] - times[below];
+    if span <= 0.0 {
+        return values[above];
+    }
+    let share = ((time - times[below]) / span).clamp(0.0, 1.0);
+    values[below] + share * (values[above] - values[below])
 }
 
 /// What became of a claim.

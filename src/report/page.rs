@@ -92,7 +92,8 @@ fn contents(html: &mut String, sections: &[Section]) {
     html.push_str("</nav>\n");
 }
 
-/// Copies the values behind a figure.
+/// Copies the values behind a figure; shows the mechanism at the time that a slider says, and plays
+/// a cycle in four seconds, unless the reader wants no motion.
 const SCRIPT: &str = "\
 for (const button of document.querySelectorAll('button.copy')) {
   button.hidden = !navigator.clipboard;
@@ -100,6 +101,29 @@ for (const button of document.querySelectorAll('button.copy')) {
     const values = button.parentElement.querySelector('pre').textContent;
     navigator.clipboard.writeText(values).then(() => { button.textContent = 'Copied'; });
   };
+}
+for (const figure of document.querySelectorAll('figure.motion')) {
+  const [button, slider, output] = figure.querySelector('.controls').children;
+  const times = figure.dataset.times.split('|');
+  const parts = [...figure.querySelectorAll('path[data-d]')];
+  const lines = parts.map(part => part.dataset.d.split('|'));
+  const last = times.length - 1;
+  let timer = 0;
+  const show = frame => {
+    slider.value = frame;
+    output.textContent = times[frame];
+    parts.forEach((part, index) => part.setAttribute('d', lines[index][frame]));
+  };
+  const stop = () => { clearInterval(timer); timer = 0; button.textContent = 'Play'; };
+  const play = () => {
+    timer = setInterval(() => show((+slider.value + 1) % last), 4000 / last);
+    button.textContent = 'Pause';
+  };
+  button.onclick = () => timer ? stop() : play();
+  slider.oninput = () => { stop(); show(+slider.value); };
+  figure.querySelector('.controls').hidden = false;
+  show(0);
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) play();
 }
 ";
 

@@ -25,6 +25,7 @@ figcaption,.remark{color:var(--soft);font-size:13px;margin:4px 0 0;max-width:88c
 .grid-of-charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(300px,1fr));gap:12px 24px}\
 details.behind{margin:2px 0 18px}summary{cursor:pointer;color:var(--soft);font-size:13px}\
 details details{margin:6px 0}\
+.controls{display:flex;gap:14px;align-items:center;margin:4px 0}.controls[hidden]{display:none}.controls input{flex:1 1 200px;max-width:420px;accent-color:var(--curve0)}.controls button{min-width:72px}.controls output{font-size:13px;color:var(--soft);font-variant-numeric:tabular-nums;min-width:80px}\
 .mechanism{display:flex;flex-wrap:wrap;gap:20px 34px;align-items:center}\
 .mechanism figure{flex:1 1 540px;min-width:0}.mechanism .facts{flex:1 1 300px;width:auto}.facts th{white-space:normal}\
 table{border-collapse:collapse;width:100%;font-size:13.5px}\
