@@ -97,6 +97,14 @@ impl<'m> Assembled<'m> {
         self.evaluator.value(expr)
     }
 
+    /// The period of the drives in s: of the slowest one that repeats.
+    pub fn period(&mut self) -> Option<f64> {
+        let equations = self.equations;
+        let frequencies = equations.periodic.iter();
+        let periods = frequencies.map(|drive| 1.0 / self.value(drive.frequency));
+        periods.filter(|period| period.is_finite()).reduce(f64::max)
+    }
+
     /// How far each coordinate that loops follow can be led from its assembled value, the other
     /// coordinates held at theirs, until a loop reaches a dead point.
     pub fn reach(&mut self) -> Vec<Reach> {

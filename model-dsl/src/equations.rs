@@ -40,6 +40,8 @@ pub struct Equations {
     pub states: Vec<State>,
     /// Discrete state.
     pub discretes: Vec<Discrete>,
+    /// Drives that repeat.
+    pub periodic: Vec<Periodic>,
     /// Kinks of drives.
     pub kinks: Vec<Kink>,
     /// Events.
@@ -202,6 +204,15 @@ pub struct Discrete {
     pub accepted: Option<Expr>,
     /// Whether it is an angle in rad that must not move by more than π/2 in a step.
     pub turning: bool,
+}
+
+/// A drive that repeats.
+#[derive(Clone, Debug)]
+pub struct Periodic {
+    /// Name of the drive.
+    pub name: String,
+    /// How often it does so, in Hz, of params.
+    pub frequency: Expr,
 }
 
 /// The end of a drive's present segment.

@@ -250,6 +250,8 @@ pub struct Waveform {
     pub kink: Option<WaveformKink>,
     /// What must hold of its arguments.
     pub conditions: Vec<Condition>,
+    /// How often it repeats, in Hz, of params; `None` if it does not.
+    pub frequency: Option<Expr>,
 }
 
 /// A condition on a quantity of params that a waveform or law needs to make sense.

@@ -1,7 +1,8 @@
 //! A run as a picture or a page.
 
+use flexure::Assembled;
 use flexure::picture::{Graphic, degrees, display_unit, number, with_unit};
-use flexure::report::{Block, Column as TableColumn, Figure, Report, Section, Table};
+use flexure::report::{Block, Column as TableColumn, Figure, Motion, Report, Section, Table};
 use flexure::runtime::simulate::{Breakdown, Ending, Summary};
 
 use super::Failure;
@@ -43,14 +44,15 @@ impl Portrait<'_> {
         report.words.clone_from(&model.equations().doc);
         let mut mechanism: Vec<Block> = self.ended_early().map(Block::Notice).into_iter().collect();
         mechanism.push(Block::mechanism(&mut assembled));
-        let motion = Figure {
+        let mut motion: Vec<Block> = self.cycle(&mut assembled)?.into_iter().collect();
+        motion.push(Block::Figure(Figure {
             graphic: self.graphic(),
             caption: String::new(),
             table: None,
-        };
+        }));
         report.sections = vec![
             Section::new("Mechanism", mechanism),
-            Section::new("Motion", [Block::Figure(motion)]),
+            Section::new("Motion", motion),
             Section::new(
                 "Numbers",
                 [Block::Table(results(self.recorded), String::new())],
@@ -73,6 +75,25 @@ impl Portrait<'_> {
             [Block::equations(model)],
         ));
         Ok(report.html())
+    }
+
+    /// The mechanism over the last cycle of its drive, over the whole run if nothing repeats.
+    fn cycle(&self, assembled: &mut Assembled) -> Result<Option<Block>, Failure> {
+        let states = self.chosen.design.model().equations().states.len();
+        let Some((times, rest)) = self.recorded.columns.split_first() else {
+            return Ok(None);
+        };
+        let [Some(&begin), Some(&end)] = [times.first(), times.last()] else {
+            return Ok(None);
+        };
+        let from = match assembled.period() {
+            Some(period) => begin.max(end - period),
+            None => begin,
+        };
+        let columns: Vec<&[f64]> = rest.iter().take(states).map(Vec::as_slice).collect();
+        let motion =
+            Motion::new(assembled, times, &columns, [from, end]).map_err(Failure::model)?;
+        Ok(motion.map(|motion| Block::Motion(Box::new(motion))))
     }
 
     fn graphic(&self) -> Graphic {

@@ -231,6 +231,7 @@ pub fn slider_crank() -> Equations {
                 turning: true,
             },
         ],
+        periodic: Vec::new(),
         kinks: vec![Kink {
             name: "drive".to_owned(),
             next: next_time,

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use crate::equations::{Discrete, Equations, Event, Kink, Line, Shown, ShownUnit};
+use crate::equations::{Discrete, Equations, Event, Kink, Line, Periodic, Shown, ShownUnit};
 use crate::model::{BodyId, BodyKind, EnergyKind, Measure};
 use crate::symbolic::{Expr, Function, Symbol};
 
@@ -178,6 +178,15 @@ impl Derivation<'_> {
                 return Err(vec![error]);
             }
         };
+        let drives = self.model.drives.iter();
+        let periodic = drives
+            .filter_map(|drive| {
+                Some(Periodic {
+                    name: drive.name.clone(),
+                    frequency: drive.waveform.frequency?,
+                })
+            })
+            .collect();
         Ok(Equations {
             name: self.model.name.clone(),
             doc: self.model.doc.clone(),
@@ -190,6 +199,7 @@ impl Derivation<'_> {
             directions: self.directions,
             states: motion.states,
             discretes: self.discretes,
+            periodic,
             kinks: self.kinks,
             events: self.events,
             outputs,

@@ -182,6 +182,7 @@ fn periodic(
         }),
         memory: vec![memory("cycle", cycle, zero), memory(place, piece, first)],
         conditions: vec![Condition::above_zero(frequency, "the frequency").in_unit("Hz")],
+        frequency: Some(frequency),
     }
 }
 
@@ -238,6 +239,7 @@ pub fn sine(
     let swing = g.mul(amplitude, sine);
     Waveform {
         conditions: vec![Condition::not_below_zero(frequency, "the frequency").in_unit("Hz")],
+        frequency: Some(frequency),
         ..smooth(g.add(offset, swing))
     }
 }
@@ -248,6 +250,7 @@ fn smooth(value: Expr) -> Waveform {
         value,
         kink: None,
         conditions: Vec::new(),
+        frequency: None,
     }
 }
 
@@ -361,6 +364,7 @@ fn once(g: &mut Graph, name: &str, values: &[Expr], ends: &[Expr], jumps: bool) 
         }),
         memory: vec![memory("piece", piece, initial)],
         conditions: Vec::new(),
+        frequency: None,
     }
 }
 
@@ -417,6 +421,7 @@ pub fn table(g: &mut Graph, time: Symbol, name: &str, samples: &[(f64, f64)]) ->
             jumps,
         }),
         conditions: Vec::new(),
+        frequency: None,
     })
 }
 
