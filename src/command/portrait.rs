@@ -207,7 +207,7 @@ fn results(recorded: &Recorded) -> Table {
             let number = number(value / unit.factor, 6);
             match unit.name.as_str() {
                 "" | "°" => number + &unit.name,
-                name => format!("{number} {name}"),
+                name => format!("{number}\u{a0}{name}"),
             }
         };
         let values = [sum.first, sum.last, sum.least, sum.greatest, sum.mean(span)];

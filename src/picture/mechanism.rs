@@ -560,4 +560,32 @@ mod tests {
         let (svg, _) = mechanism(&broken).unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
+
+    #[test]
+    fn displacements_are_magnified_by_a_round_number() {
+        let frame = |by: f64| Places {
+            links: vec![("arm".to_owned(), vec![[0.0, 0.0], [by, 0.02]])],
+            marks: vec![("O".to_owned(), [0.0, 0.0], Some(true))],
+            slides: vec![("stage".to_owned(), Some([0.01 + by, 0.03]), [1.0, 0.0])],
+            ..Places::default()
+        };
+        let frames = [frame(0.0), frame(7e-6), frame(-7e-6)];
+        let (svg, caption) = moving(&frame(0.0), &frames).unwrap();
+        // 9 % of 30 mm are 386 times 7 µm.
+        assert!(caption.contains("magnified 200 times"), "{caption}");
+        // The arm, the slide's block and its arrow move; pin, ground and guide stand still.
+        assert_eq!(svg.matches("data-d=").count(), 3, "{svg}");
+        let arm = svg
+            .lines()
+            .find(|line| line.contains("class=\"link\""))
+            .unwrap();
+        let frames = arm.split("data-d=\"").nth(1).unwrap();
+        assert_eq!(frames.split('|').count(), 3, "{arm}");
+        let still = [frame(0.0), frame(0.0)];
+        let (svg, caption) = moving(&frame(0.0), &still).unwrap();
+        assert!(
+            !svg.contains("data-d") && caption.contains("to scale"),
+            "{caption}"
+        );
+    }
 }

@@ -243,3 +243,53 @@ impl Block {
         Self::Equations(model.clone())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate;
+
+    /// Where a part is at a state, against what the run itself says of it.
+    #[test]
+    fn a_motion_follows_the_run() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/models/double_rocker.flex");
+        let model = Model::from_path(file).unwrap();
+        let design = model.design();
+        let system = design.prepare().unwrap();
+        let run = simulate(&system).until(2e-3).every(1e-5).run().unwrap();
+        let columns: Vec<_> = model
+            .equations()
+            .states
+            .iter()
+            .map(|state| run.column(&state.name))
+            .collect();
+        let states: Vec<&[f64]> = columns.iter().map(|column| column.values()).collect();
+        let mut assembled = design.assembled().unwrap();
+        let period = assembled.period().unwrap();
+        assert!((period - 1e-3).abs() < 1e-18);
+        let motion = Motion::new(&mut assembled, run.times(), &states, [1e-3, 2e-3]);
+        let motion = motion.unwrap().unwrap();
+        let place = |frame: &Places, name: &str| {
+            let slide = frame.slides.iter().find(|(slide, _, _)| slide == name);
+            slide.unwrap().1.unwrap()
+        };
+        let [first, last] = [&motion.frames[0], motion.frames.last().unwrap()];
+        for slide in ["stack", "stage"] {
+            let [from, to] = [first, last].map(|frame| place(frame, slide)[0]);
+            let column = run.column(&format!("{slide}.x"));
+            let begun = column.values()[run.times().partition_point(|&t| t < 1e-3 - 1e-9)];
+            // Slides go to the left.
+            assert!(
+                (to - from + (column.last() - begun)).abs() < 1e-12,
+                "{slide}"
+            );
+        }
+        // A link keeps its length, and its angle is that of the run.
+        let angle = run.column("crank.angle");
+        let [[x, y], [u, v]] = [last.links[0].1[0], last.links[0].1[1]];
+        assert!(((u - x).hypot(v - y) - 10.2e-3).abs() < 1e-15);
+        assert!(((v - y).atan2(u - x) - angle.last()).abs() < 1e-12);
+        let rows = Motion::new(&mut assembled, run.times(), &states, [1e-3, 1.05e-3]);
+        assert!(rows.unwrap().is_none(), "too few rows");
+    }
+}

@@ -8,6 +8,7 @@ main{max-width:1020px;margin:0 auto;padding:32px 28px 48px}\
 h1{font-size:27px;line-height:1.2;margin:0 0 6px;letter-spacing:-.01em}\
 h2{font-size:19px;line-height:1.3;margin:44px 0 12px;padding-bottom:6px;border-bottom:1px solid var(--grid)}\
 h3{font-size:13px;text-transform:uppercase;letter-spacing:.06em;color:var(--soft);margin:22px 0 8px}\
+h3 code{text-transform:none;letter-spacing:0}\
 h4{font-size:13.5px;margin:6px 0 0}\
 p{margin:8px 0;max-width:78ch}\
 code{font:.92em 'JetBrains Mono','SF Mono',Consolas,'DejaVu Sans Mono',monospace}\
@@ -18,11 +19,11 @@ nav ol{padding-left:22px;columns:2 300px;column-gap:40px}nav li{break-inside:avo
 .chip.holds{color:var(--holds)}.chip.partly{color:var(--partly)}.chip.fails{color:var(--fails)}.chip.open{color:var(--soft)}\
 .finding{border-left:4px solid var(--soft);padding:8px 16px;margin:14px 0;background:color-mix(in srgb,var(--grid) 34%,transparent);border-radius:0 6px 6px 0}\
 .finding.holds{border-color:var(--holds)}.finding.partly{border-color:var(--partly)}.finding.fails{border-color:var(--fails)}\
-.finding p{margin:3px 0}.finding .claim{font-weight:600}.finding .chip{margin-right:8px}\
+.finding p{margin:3px 0;max-width:none}.finding .claim{font-weight:600}.finding .chip{margin-right:8px}\
 figure{margin:14px 0 4px}figure svg{width:100%;height:auto;display:block}\
 figcaption,.remark{color:var(--soft);font-size:13px;margin:4px 0 0;max-width:88ch}\
 .narrow-only{display:none!important}\
-.grid-of-charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(300px,1fr));gap:12px 24px}\
+.grid-of-charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(340px,100%),1fr));gap:12px 24px}\
 details.behind{margin:2px 0 18px}summary{cursor:pointer;color:var(--soft);font-size:13px}\
 details details{margin:6px 0}\
 .controls{display:flex;gap:14px;align-items:center;margin:4px 0}.controls[hidden]{display:none}.controls input{flex:1 1 200px;max-width:420px;accent-color:var(--curve0)}.controls button{min-width:72px}.controls output{font-size:13px;color:var(--soft);font-variant-numeric:tabular-nums;min-width:80px}\
