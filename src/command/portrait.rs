@@ -44,7 +44,7 @@ impl Portrait<'_> {
         report.words.clone_from(&model.equations().doc);
         let mut mechanism: Vec<Block> = self.ended_early().map(Block::Notice).into_iter().collect();
         mechanism.push(Block::mechanism(&mut assembled));
-        let mut motion: Vec<Block> = self.cycle(&mut assembled)?.into_iter().collect();
+        let mut motion: Vec<Block> = self.cycle(&mut assembled).into_iter().collect();
         motion.push(Block::Figure(Figure {
             graphic: self.graphic(),
             caption: String::new(),
@@ -78,22 +78,18 @@ impl Portrait<'_> {
     }
 
     /// The mechanism over the last cycle of its drive, over the whole run if nothing repeats.
-    fn cycle(&self, assembled: &mut Assembled) -> Result<Option<Block>, Failure> {
+    /// A run that ends where a loop no longer closes has a page without it.
+    fn cycle(&self, assembled: &mut Assembled) -> Option<Block> {
         let states = self.chosen.design.model().equations().states.len();
-        let Some((times, rest)) = self.recorded.columns.split_first() else {
-            return Ok(None);
-        };
-        let [Some(&begin), Some(&end)] = [times.first(), times.last()] else {
-            return Ok(None);
-        };
+        let (times, rest) = self.recorded.columns.split_first()?;
+        let (begin, end) = (*times.first()?, *times.last()?);
         let from = match assembled.period() {
             Some(period) => begin.max(end - period),
             None => begin,
         };
         let columns: Vec<&[f64]> = rest.iter().take(states).map(Vec::as_slice).collect();
-        let motion =
-            Motion::new(assembled, times, &columns, [from, end]).map_err(Failure::model)?;
-        Ok(motion.map(|motion| Block::Motion(Box::new(motion))))
+        let motion = Motion::new(assembled, times, &columns, [from, end]);
+        Some(Block::Motion(Box::new(motion.ok()??)))
     }
 
     fn graphic(&self) -> Graphic {

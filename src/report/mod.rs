@@ -30,7 +30,7 @@
 //! ```
 //!
 //! [`Block::mechanism`], [`Block::params`] and [`Block::equations`] are made of a model's
-//! [`Design`](crate::Design).
+//! [`Design`].
 //! Words from outside are never markup; what stands in them between backticks is set as code.
 
 mod blocks;
