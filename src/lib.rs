@@ -41,6 +41,9 @@ pub mod statics;
 #[cfg(feature = "study")]
 pub mod study;
 
+pub mod picture;
+pub mod report;
+
 pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
 pub use flexure_codegen as codegen;
 pub use flexure_model_dsl as model_dsl;

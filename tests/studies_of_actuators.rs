@@ -106,6 +106,14 @@ fn a_family_of_curves_with_its_linear_regimes() {
     }
     let picture = fs::read_to_string(here.join("r.svg")).unwrap();
     assert!(picture.starts_with("<?xml") && picture.contains("F = 4 N"));
+    let regimes = |picture: &str, class: &str| picture.matches(class).count();
+    assert_eq!(regimes(&picture, "class=\"window\""), 2, "{picture}");
+    done(&here, "response", &with(&["--plot", "r.html"]));
+    let page = fs::read_to_string(here.join("r.html")).unwrap();
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains("Parameters"));
+    assert!(page.contains("over cycles 10 to 30") && page.contains("mean speed [m/s]"));
+    // A single curve has its regime shaded; pages hold a wide and a narrow picture.
+    assert_eq!(regimes(&page, "class=\"band\""), 2);
 }
 
 #[test]
@@ -291,7 +299,7 @@ fn calls_that_make_no_sense_are_refused() {
         (
             "response",
             &["--frequency", "f", "--speed", "speed", "--plot", "r.png"],
-            ".svg",
+            ".svg or .html",
         ),
         (
             "response",

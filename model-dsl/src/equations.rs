@@ -62,6 +62,9 @@ pub struct Equations {
     pub summary: Vec<Fact>,
     /// Its shape for pictures.
     pub drawing: Drawing,
+    /// Its shape at any state, the same parts in the same order. A slide that has no place in the
+    /// model has one here from which only its changes count.
+    pub moving: Drawing,
 }
 
 /// What a symbol stands for.

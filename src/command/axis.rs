@@ -2,10 +2,9 @@
 //! that go together, `mu_s,mu_c=0.15,0.10;0.3,0.2`.
 
 use flexure::model_dsl::units::Mark;
+use flexure::picture::{number, with_unit};
 use flexure::runtime::diagnostic::Diagnostic;
 use flexure::{Design, Model, quantity, split_assignment, study};
-
-use super::plot::scale;
 
 /// Params and the values that they take, together.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,12 +87,12 @@ fn shown(name: &str, value: f64, model: &Model) -> String {
     let params = model.params().iter().zip(&model.equations().params);
     let found = params.into_iter().find(|(param, _)| param.name == name);
     let Some((variable, param)) = found else {
-        return scale::number(value, 6);
+        return number(value, 6);
     };
     match param.dimension.mark() {
-        Mark::Frequency => scale::with_unit(value, "Hz", 6),
-        Mark::AngularRate => scale::with_unit(value, "rad/s", 6),
-        Mark::Plain => scale::with_unit(value, &variable.unit, 6),
+        Mark::Frequency => with_unit(value, "Hz", 6),
+        Mark::AngularRate => with_unit(value, "rad/s", 6),
+        Mark::Plain => with_unit(value, &variable.unit, 6),
     }
 }
 

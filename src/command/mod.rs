@@ -8,6 +8,7 @@
 
 mod actuator;
 mod axis;
+mod charts;
 mod check;
 mod columns;
 mod csv;
@@ -17,7 +18,7 @@ mod held;
 mod modes;
 mod new;
 mod output;
-mod plot;
+mod panels;
 mod portrait;
 mod recording;
 mod response;

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use flexure::model_dsl::units::{Dimension, parse_quantity};
+use flexure::picture::{number, with_unit};
 use flexure::statics::{Linear, Mode, Statics};
 use num_traits::ToPrimitive;
 
 use super::csv;
 use super::held::{self, AtRest};
 use super::output::{self, OutputFile};
-use super::plot::scale;
 use super::statics::print_table;
 use super::terminal::Terminal;
 use super::{Failure, print};
@@ -139,13 +139,13 @@ fn show(linear: &Linear) -> Result<(), Failure> {
         let (frequency, damping) = if mode.is_free {
             ("free".to_owned(), String::new())
         } else {
-            let frequency = scale::with_unit(mode.frequency(), "Hz", 6);
+            let frequency = with_unit(mode.frequency(), "Hz", 6);
             let unstable = if mode.damping() < 0.0 {
                 ", unstable"
             } else {
                 ""
             };
-            (frequency, scale::number(mode.damping(), 4) + unstable)
+            (frequency, number(mode.damping(), 4) + unstable)
         };
         rows.push(vec![
             (index + 1).to_string(),

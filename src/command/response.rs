@@ -1,19 +1,20 @@
 //! `flexure response`: mean speed of an actuator against its drive's frequency, the linear regime,
 //! and the distance from an experiment.
 
+mod picture;
 mod report;
 
 use std::path::PathBuf;
 
 use clap::Args;
 use flexure::Design;
+use flexure::picture::with_unit;
 use flexure::response::{Experiment, Outcome, Settle};
 use flexure::runtime::diagnostic::Diagnostic;
 
 use super::actuator::{Actuation, Actuator};
 use super::axis::Axis;
-use super::output::same_file;
-use super::plot::scale;
+use super::charts;
 use super::settings::tolerance;
 use super::terminal::Terminal;
 use super::{Failure, print};
@@ -26,7 +27,7 @@ Examples:
   flexure response models/double_rocker.flex --frequency f=100Hz..2000Hz:100Hz --speed stage.v
   flexure response models/double_rocker.flex --frequency f --speed stage.v --for Fp=1N,5N,10N,15N,20N -o preload.csv
   flexure response models/double_rocker.flex --frequency f --speed stage.v --for mu_s,mu_c='0.15,0.10;0.3,0.2'
-  flexure response models/double_rocker.flex --frequency f --speed stage.v --settle
+  flexure response models/double_rocker.flex --frequency f --speed stage.v --settle --plot settled.html
   flexure response models/double_rocker.flex --frequency f=100Hz..1000Hz:100Hz --speed stage.v --experiment sun.csv
 
 The mean speed is taken over cycles 10 to 30 of the drive, or as --warmup and --cycles say. With
@@ -53,17 +54,9 @@ pub struct Arguments {
     /// File for the table of points
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
-    /// Picture of the curves
-    #[arg(long, value_name = "OUT.svg", value_parser = picture)]
+    /// Picture of the curves (.svg), or a page with their numbers and the mechanism (.html)
+    #[arg(long, value_name = "OUT.svg|.html", value_parser = charts::path)]
     plot: Option<PathBuf>,
-}
-
-fn picture(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    match path.extension() {
-        Some(extension) if extension == "svg" => Ok(path),
-        _ => Err("a picture of a response is a file that ends in .svg".to_owned()),
-    }
 }
 
 /// A curve of the family.
@@ -91,16 +84,9 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         .map(|path| Experiment::from_path(path, &actuator.speed_unit))
         .transpose()
         .map_err(Failure::model)?;
-    if let (Some(output), Some(plot)) = (&arguments.output, &arguments.plot)
-        && same_file(output, plot)
-    {
-        return Err(Failure::usage(format!(
-            "`{}` cannot be both the table and the picture",
-            plot.display()
-        )));
-    }
+    charts::keep_apart(arguments.output.as_deref(), arguments.plot.as_deref())?;
     let table = actuation.open(arguments.output.as_deref())?;
-    let plot = actuation.open(arguments.plot.as_deref())?;
+    let picture = actuation.open(arguments.plot.as_deref())?;
     let frequencies = with_measured(&actuator.frequencies, experiment.as_ref(), terminal);
     let settle = arguments.settle.map(|tolerance| Settle {
         tolerance,
@@ -129,8 +115,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     if let Some(table) = table {
         table.finish_with(&study.table(), terminal)?;
     }
-    if let Some(plot) = plot {
-        plot.finish_with(&study.figure(), terminal)?;
+    if let (Some(picture), Some(path)) = (picture, &arguments.plot) {
+        picture.finish_with(&study.charts().file(path)?, terminal)?;
     }
     Ok(())
 }
@@ -223,5 +209,5 @@ fn with_measured(
 }
 
 fn hertz(frequency: f64) -> String {
-    scale::with_unit(frequency, "Hz", 6)
+    with_unit(frequency, "Hz", 6)
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use flexure::Design;
+use flexure::picture::{number, with_unit};
 use flexure::response::{
     DEFINITIONS, Definition, Effect, LinearRegime, Outcome, Step, Variation, linear_regime,
     sensitivity, share,
@@ -13,7 +14,6 @@ use flexure::runtime::diagnostic::Diagnostic;
 
 use super::actuator::{Actuation, Actuator};
 use super::columns::columns;
-use super::plot::scale;
 use super::terminal::Terminal;
 use super::{Failure, csv, print};
 
@@ -127,7 +127,7 @@ impl Study<'_> {
         match (self.variations[index].step, written) {
             (Step::Absolute(_), Some((_, step))) => signed(step.trim()),
             (Step::Share(step) | Step::Absolute(step), _) => {
-                format!("{} %", signed(&scale::number(100.0 * step, 6)))
+                format!("{} %", signed(&number(100.0 * step, 6)))
             }
         }
     }
@@ -137,7 +137,7 @@ impl Study<'_> {
         let cycles = self.arguments.actuation.measured();
         let end = u64::from(cycles.warmup) + u64::from(cycles.measured);
         let frequencies = &self.actuator.frequencies;
-        let hertz = |f: Option<&f64>| scale::with_unit(f.copied().unwrap_or(f64::NAN), "Hz", 6);
+        let hertz = |f: Option<&f64>| with_unit(f.copied().unwrap_or(f64::NAN), "Hz", 6);
         let mut text = format!(
             "{}\nover cycles {} to {end}, at {} frequencies from {} to {}\n",
             self.actuator.speed_words,
@@ -184,9 +184,7 @@ impl Study<'_> {
         let headings: Vec<String> = headings.iter().map(|h| (*h).to_owned()).collect();
         let none = || "–".to_owned();
         let percent = |change: Option<f64>| {
-            change.map_or_else(none, |change| {
-                format!("{} %", scale::number(100.0 * change, 4))
-            })
+            change.map_or_else(none, |change| format!("{} %", number(100.0 * change, 4)))
         };
         let rows = self
             .variations
@@ -199,7 +197,7 @@ impl Study<'_> {
                 };
                 let s = |change: Option<f64>| {
                     let found = change.and_then(|change| sensitivity(change, variation.step));
-                    found.map_or_else(none, |s| scale::number(s, 4))
+                    found.map_or_else(none, |s| number(s, 4))
                 };
                 row.extend([
                     effect.changed.as_ref().map_or("none".to_owned(), window),
@@ -220,7 +218,7 @@ impl Study<'_> {
     }
 
     fn speed(&self, value: f64) -> String {
-        scale::with_unit(value, &self.actuator.speed_unit, 5)
+        with_unit(value, &self.actuator.speed_unit, 5)
     }
 
     /// The results as a table of comma-separated values: a row for each change and definition.
@@ -305,6 +303,6 @@ impl Study<'_> {
 }
 
 fn window(found: &LinearRegime) -> String {
-    let hertz = |f| scale::with_unit(f, "Hz", 6);
+    let hertz = |f| with_unit(f, "Hz", 6);
     format!("{} to {}", hertz(found.from), hertz(found.to))
 }

@@ -1,10 +1,10 @@
 //! `flexure static`: equilibrium, amplification ratios and stiffness.
 
 use clap::Args;
+use flexure::picture::{number, pretty_unit, with_unit};
 use flexure::statics::{Equilibrium, Statics};
 
 use super::held::{self, AtRest};
-use super::plot::scale;
 use super::terminal::Terminal;
 use super::{Failure, print};
 
@@ -70,7 +70,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         None => heading("equilibrium"),
     });
     let mut row = |name: &str, unit: &str, value: f64, other: Option<f64>| {
-        let shown = |value| scale::with_unit(value, unit, 8);
+        let shown = |value| with_unit(value, unit, 8);
         let mut cells = vec![format!("  {name}"), shown(value)];
         cells.extend(other.map(shown));
         rows.push(cells);
@@ -128,7 +128,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     }
     rows.push(heading("stiffness"));
     for (name, value, unit) in stiffnesses(&statics, &first, &outputs) {
-        rows.push(vec![format!("  {name}"), scale::with_unit(value, unit, 7)]);
+        rows.push(vec![format!("  {name}"), with_unit(value, unit, 7)]);
     }
     print_table(&rows)
 }
@@ -183,7 +183,7 @@ fn over(unit: &str, by: &str) -> String {
 }
 
 fn shown_ratio(ratio: f64, unit: &str) -> String {
-    format!("{} {}", scale::number(ratio, 6), scale::pretty_unit(unit))
+    format!("{} {}", number(ratio, 6), pretty_unit(unit))
 }
 
 /// Prints cells in columns.

@@ -3,9 +3,8 @@
 
 use std::fmt::Write;
 
+use flexure::picture::{number, with_unit};
 use flexure::study::{Limit, Measure, Row, Status, share_range};
-
-use super::plot::scale;
 
 /// Shares of draws below which quantiles lie.
 const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
@@ -80,7 +79,7 @@ impl<'a> Yields<'a> {
         }
         let named = self.varied.iter().zip(&row.point);
         let named: Vec<String> = named
-            .map(|((name, unit), &value)| format!("{name} = {}", scale::with_unit(value, unit, 6)))
+            .map(|((name, unit), &value)| format!("{name} = {}", with_unit(value, unit, 6)))
             .collect();
         if !named.is_empty() {
             let _ = writeln!(self.text, "{}", named.join(", "));
@@ -106,7 +105,7 @@ impl<'a> Yields<'a> {
             if values.is_empty() {
                 line.push("none".to_owned());
             } else {
-                let shown = |value| scale::with_unit(value, measure.unit(), DIGITS);
+                let shown = |value| with_unit(value, measure.unit(), DIGITS);
                 let (mean, deviation) = moments(values);
                 line.push(shown(mean));
                 line.push(deviation.map_or_else(String::new, shown));
@@ -117,7 +116,7 @@ impl<'a> Yields<'a> {
         push_aligned(&mut self.text, &lines, true);
         let share = |passed: usize| {
             let [low, high] = share_range(passed, self.draws);
-            let percent = |share: f64| scale::number(100.0 * share, DIGITS);
+            let percent = |share: f64| number(100.0 * share, DIGITS);
             format!(
                 "{passed} of {} pass: {} % ({} to {} % with 95 % confidence)",
                 self.draws,

@@ -299,6 +299,7 @@ pub fn slider_crank() -> Equations {
         report: vec![],
         summary: vec![],
         drawing: Drawing::default(),
+        moving: Drawing::default(),
         graph,
     }
 }

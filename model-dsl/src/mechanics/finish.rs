@@ -159,6 +159,7 @@ impl Derivation<'_> {
         self.warn_of_unbooked_jumps();
         let summary = self.summary(inertia);
         let drawing = self.drawing();
+        let moving = self.moving_drawing();
         self.constants_section();
         if !self.errors.is_empty() {
             return Err(self.errors);
@@ -215,6 +216,7 @@ impl Derivation<'_> {
             report: self.report,
             summary,
             drawing,
+            moving,
             graph: self.g,
         })
     }

@@ -1,8 +1,7 @@
-//! What was found on a frequency response, for people (tables at a terminal, a picture) and for
-//! programs (a table of comma-separated values).
+//! What was found on a frequency response, for people (tables at a terminal) and for programs (a
+//! table of comma-separated values).
 
-use std::fmt::Write as _;
-
+use flexure::picture::{DisplayUnit, display_unit, number, with_unit};
 use flexure::response::{
     DEFINITIONS, Definition, Deviation, Experiment, LinearRegime, Motion, linear_regime,
 };
@@ -10,8 +9,6 @@ use flexure::response::{
 use super::super::actuator::Actuator;
 use super::super::columns::columns;
 use super::super::csv;
-use super::super::plot::frequency::{FrequencyCurve, FrequencyFigure, standalone};
-use super::super::plot::scale::{self, DisplayUnit};
 use super::super::terminal::Terminal;
 use super::{Arguments, Curve, hertz};
 
@@ -37,7 +34,8 @@ pub struct Study<'a> {
 }
 
 impl Study<'_> {
-    fn curve(&self, curve: &Curve) -> Vec<(f64, f64)> {
+    /// Frequencies and speeds of a curve; not numbers where a point failed.
+    pub(super) fn curve(&self, curve: &Curve) -> Vec<(f64, f64)> {
         let all = Actuator::curve(self.frequencies, &curve.outcomes);
         // Points of the experiment alone are not the curve's.
         let own = |point: &(f64, f64)| self.actuator.frequencies.contains(&point.0);
@@ -59,26 +57,12 @@ impl Study<'_> {
     fn unit(&self) -> DisplayUnit {
         let speeds = self.curves.iter().flat_map(|curve| &curve.outcomes);
         let sizes = speeds.filter_map(|outcome| Some(outcome.as_ref().ok()?.speed.abs()));
-        scale::display_unit(&self.actuator.speed_unit, sizes.fold(0.0, f64::max))
+        display_unit(&self.actuator.speed_unit, sizes.fold(0.0, f64::max))
     }
 
     /// What a person reads.
     pub fn report(&self) -> String {
-        let arguments = self.arguments;
-        let mut text = format!("{}\n", self.actuator.speed_words);
-        let _ = match arguments.settle {
-            Some(tolerance) => writeln!(
-                text,
-                "until the state at the start of each cycle repeats to {tolerance:e} of its range, \
-                 in at most {} cycles",
-                arguments.most_cycles
-            ),
-            None => {
-                let cycles = arguments.actuation.measured();
-                let end = u64::from(cycles.warmup) + u64::from(cycles.measured);
-                writeln!(text, "over cycles {} to {end}", cycles.warmup)
-            }
-        };
+        let mut text = format!("{}\n{}\n", self.actuator.speed_words, self.span());
         text.push('\n');
         text.push_str(&self.speeds());
         text.push('\n');
@@ -88,6 +72,23 @@ impl Study<'_> {
             text.push_str(&self.deviations());
         }
         text
+    }
+
+    /// Over which cycles speeds are means.
+    pub(super) fn span(&self) -> String {
+        let arguments = self.arguments;
+        match arguments.settle {
+            Some(tolerance) => format!(
+                "until the state at the start of each cycle repeats to {tolerance:e} of its range, \
+                 in at most {} cycles",
+                arguments.most_cycles
+            ),
+            None => {
+                let cycles = arguments.actuation.measured();
+                let end = u64::from(cycles.warmup) + u64::from(cycles.measured);
+                format!("over cycles {} to {end}", cycles.warmup)
+            }
+        }
     }
 
     fn speeds(&self) -> String {
@@ -184,7 +185,7 @@ impl Study<'_> {
         let unit = self.unit();
         // A speed over a frequency is a step: m/s per Hz is m.
         let step = match self.actuator.speed_unit.strip_suffix("/s") {
-            Some(step) => scale::with_unit(found.slope, step, 5),
+            Some(step) => with_unit(found.slope, step, 5),
             None => format!("{} {}/Hz", digits(found.slope), self.actuator.speed_unit),
         };
         [
@@ -205,9 +206,9 @@ impl Study<'_> {
             match self.deviation(curve) {
                 Some(found) => row.extend([
                     found.points.to_string(),
-                    scale::with_unit(found.absolute, &self.actuator.speed_unit, 5),
+                    with_unit(found.absolute, &self.actuator.speed_unit, 5),
                     found.relative.map_or("–".to_owned(), |relative| {
-                        format!("{} %", scale::number(100.0 * relative, 4))
+                        format!("{} %", number(100.0 * relative, 4))
                     }),
                 ]),
                 None => row.push("none".to_owned()),
@@ -215,28 +216,6 @@ impl Study<'_> {
             row
         });
         columns(&headings, &rows.collect::<Vec<_>>())
-    }
-
-    /// The curves as SVG, with the linear regimes from the lowest frequency.
-    pub fn figure(&self) -> String {
-        let curve = |curve: &Curve| {
-            let points = self.curve(curve);
-            let ends = |found: LinearRegime| {
-                [found.from, found.to].map(|f| (f, found.intercept + found.slope * f))
-            };
-            FrequencyCurve {
-                name: curve.label.clone(),
-                line: linear_regime(&points, &DEFINITIONS[3]).map(ends),
-                points,
-            }
-        };
-        standalone(&FrequencyFigure {
-            title: self.actuator.model().name(),
-            speed: &self.arguments.actuation.speed,
-            unit: &self.actuator.speed_unit,
-            curves: self.curves.iter().map(curve).collect(),
-            measured: self.experiment.map_or(&[], |e| &e.points),
-        })
     }
 
     /// The points as a table of comma-separated values.
@@ -337,5 +316,5 @@ fn too_short(points: &[(f64, f64)], definition: &Definition) -> String {
 
 /// A number in a table.
 fn digits(value: f64) -> String {
-    scale::number(value, 6)
+    number(value, 6)
 }
