@@ -596,6 +596,13 @@ fn statics_and_modes_of_an_oscillator() {
         let w = std::f64::consts::TAU * row[0];
         assert!((row[1] * (400.0 - w * w) - 1.0).abs() < 1e-12, "{row:?}");
     }
+    for picture in ["bode.svg", "bode.html"] {
+        flexure(&here, &[&words[..], &["--plot", picture]].concat()).is(0);
+        let text = fs::read_to_string(here.join(picture)).unwrap();
+        for words in ["Response of mass.x to push", "magnitude (m per N)", "phase"] {
+            assert!(text.contains(words), "{words}: {text}");
+        }
+    }
     flexure(&here, &["modes", file, "--matrices", "linear"]).is(0);
     let part = |name: &str| fs::read_to_string(here.join(format!("linear_{name}.csv"))).unwrap();
     let matrix = |name: &str| -> Vec<Vec<f64>> {

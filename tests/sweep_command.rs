@@ -68,6 +68,53 @@ fn number(field: &str) -> f64 {
 }
 
 #[test]
+fn a_picture_has_a_curve_for_each_value_of_the_second_axis() {
+    let here = folder("picture");
+    let grid = ["--vary", "f=2kHz,1kHz", "--vary", "m=10g,20g,0g"];
+    let measures = ["--measure", "mean(stage.v)", "--measure", "step(stage.x)"];
+    let mut arguments = vec!["stage.flex", "--warmup", "2", "--cycles", "3"];
+    arguments.extend(grid.iter().chain(&measures));
+    let plain = sweep(&here, 0, &arguments);
+    for picture in ["s.svg", "s.html"] {
+        let [table, _] = sweep(&here, 0, &[&arguments[..], &["--plot", picture]].concat());
+        assert_eq!(table, plain[0]);
+        let text = fs::read_to_string(here.join(picture)).unwrap();
+        for words in [
+            "m = 10 g",
+            "m = 20 g",
+            "f (kHz)",
+            "mean(stage.v)",
+            "step(stage.x)",
+        ] {
+            assert!(text.contains(words), "{words}: {text}");
+        }
+    }
+    // Values behind the picture are those of the table, in the order of the first axis.
+    let page = fs::read_to_string(here.join("s.html")).unwrap();
+    let values = page.split_once("<pre class=\"values\">").unwrap().1;
+    let values: Vec<&str> = values.lines().take(3).collect();
+    assert!(values[0].starts_with("f [Hz],"), "{values:?}");
+    let table = rows(&plain[0]);
+    for (line, speeds) in [(1, &table[4..6]), (2, &table[1..3])] {
+        let shown: Vec<f64> = values[line].split(',').take(3).map(number).collect();
+        let expected = [
+            number(speeds[0][0]),
+            number(speeds[0][2]),
+            number(speeds[1][2]),
+        ];
+        assert_eq!(shown, expected);
+    }
+    for (more, words) in [
+        (["--vary", "k=1e6 N/m,2e6 N/m"], "one or two varied params"),
+        (["-o", "p.svg"], "both the table and the picture"),
+    ] {
+        let call = [&arguments[..], &more, &["--plot", "p.svg"]].concat();
+        let [_, said] = sweep(&here, 2, &call);
+        assert!(said.contains(words), "{said}");
+    }
+}
+
+#[test]
 fn a_grid_has_a_row_for_each_point_in_order() {
     let here = folder("grid");
     let vary = ["--vary", "f=1kHz..2kHz:500Hz", "--vary", "m=10g,20g"];

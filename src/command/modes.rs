@@ -2,17 +2,19 @@
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use flexure::model_dsl::units::{Dimension, parse_quantity};
-use flexure::picture::{number, with_unit};
+use flexure::picture::{Axis, Chart, Graphic, Look, Panel, Series, number, pretty_unit, with_unit};
 use flexure::statics::{Linear, Mode, Statics};
 use num_traits::ToPrimitive;
 
+use super::charts::{self, Charts};
 use super::csv;
 use super::held::{self, AtRest};
 use super::output::{self, OutputFile};
-use super::statics::print_table;
+use super::statics::{over, print_table};
 use super::terminal::Terminal;
 use super::{Failure, print};
 
@@ -23,6 +25,7 @@ Examples:
   flexure modes models/double_rocker.flex --without tip
   flexure modes models/double_rocker.flex --stick tip --matrices linear
   flexure modes models/xy_stage.flex --response xp:x --from 10Hz --to 1kHz -o response.csv
+  flexure modes models/xy_stage.flex --response xp:x --to 1kHz --plot response.html
 
 --matrices PREFIX writes PREFIX_A.csv to PREFIX_D.csv, without header, and PREFIX_names.csv with
 what rows and columns stand for. Read them with numpy.loadtxt(\"PREFIX_A.csv\", delimiter=\",\", ndmin=2)
@@ -48,6 +51,9 @@ pub struct Arguments {
     /// File for the response; standard output without it
     #[arg(short, long, value_name = "OUT.csv", requires = "response")]
     output: Option<PathBuf>,
+    /// Picture of the response (.svg), or a page with its numbers and the mechanism (.html)
+    #[arg(long, value_name = "OUT.svg|.html", requires = "response", value_parser = charts::path)]
+    plot: Option<PathBuf>,
 }
 
 fn frequency(text: &str) -> Result<f64, String> {
@@ -70,9 +76,10 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     if arguments.from >= arguments.to {
         return Err(Failure::usage("`--from` must be below `--to`"));
     }
-    if let Some(output) = &arguments.output {
-        output::spare_model(output, &arguments.at_rest.settings.file)?;
+    for path in [&arguments.output, &arguments.plot].into_iter().flatten() {
+        output::spare_model(path, &arguments.at_rest.settings.file)?;
     }
+    charts::keep_apart(arguments.output.as_deref(), arguments.plot.as_deref())?;
     let (chosen, statics) = arguments.at_rest.choose(terminal)?;
     let rest = statics
         .prepare(chosen.design.values())
@@ -92,10 +99,60 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
     let Some((from, to)) = asked else {
         return show(&linear);
     };
-    let text = response(arguments, &linear, from, to);
+    let response = response(arguments, &linear, from, to);
+    let mut text = String::new();
+    csv::push_header(&mut text, ["frequency", "magnitude", "phase"].into_iter());
+    for point in &response {
+        csv::push_row(&mut text, point);
+    }
     match &arguments.output {
-        Some(output) => OutputFile::create(output)?.finish_with(&text),
-        None => print(|out| out.write_all(text.as_bytes())),
+        Some(output) => OutputFile::create(output)?.finish_with(&text)?,
+        None => print(|out| out.write_all(text.as_bytes()))?,
+    }
+    if let Some(path) = &arguments.plot {
+        let result = &statics.results()[to];
+        let signal = &statics.held()[from];
+        let unit = over(&result.unit, &signal.dimension.si_unit());
+        let title = format!("Response of {} to {}", result.name, signal.name);
+        let file = &arguments.at_rest.settings.file;
+        let charts = Charts {
+            title: title.clone(),
+            design: &chosen.design,
+            settings: vec![("model file".to_owned(), file.display().to_string())],
+            figures: vec![(
+                Graphic::Chart(bode(title, &unit, &response)),
+                "Response of the linear model about the equilibrium.".to_owned(),
+            )],
+        };
+        OutputFile::create(path)?.finish_with(&charts.file(path)?)?;
+        terminal.note(format_args!("wrote {}", path.display()));
+    }
+    Ok(())
+}
+
+/// Magnitude above phase.
+fn bode(title: String, unit: &str, response: &[[f64; 3]]) -> Chart {
+    let frequency: Arc<[f64]> = response.iter().map(|point| point[0]).collect();
+    let panel = |y: Axis, value: &dyn Fn(&[f64; 3]) -> f64| {
+        let values: Vec<f64> = response.iter().map(value).collect();
+        Panel {
+            y,
+            series: vec![Series::new("", frequency.clone(), values, Look::Line)],
+            ..Panel::default()
+        }
+    };
+    let magnitude = match pretty_unit(unit).as_str() {
+        "" => "magnitude".to_owned(),
+        unit => format!("magnitude ({unit})"),
+    };
+    Chart {
+        title,
+        x: Axis::logarithmic("frequency", "Hz"),
+        panels: vec![
+            panel(Axis::logarithmic(magnitude, ""), &|point| point[1]),
+            panel(Axis::linear("phase", "°"), &|point| point[2].to_degrees()),
+        ],
+        ordered: false,
     }
 }
 
@@ -108,20 +165,18 @@ fn ends(statics: &Statics, asked: &str) -> Result<(usize, usize), Failure> {
     Ok((held::signal(statics, from)?, held::result(statics, to)?))
 }
 
-fn response(arguments: &Arguments, linear: &Linear, from: usize, to: usize) -> String {
-    let mut text = String::new();
-    csv::push_header(&mut text, ["frequency", "magnitude", "phase"].into_iter());
+/// Frequency in Hz, magnitude and phase in rad of each point.
+fn response(arguments: &Arguments, linear: &Linear, from: usize, to: usize) -> Vec<[f64; 3]> {
     let decades = (arguments.to / arguments.from).ln();
-    for point in 0..arguments.points {
+    let points = (0..arguments.points).map(|point| {
         let share = f64::from(point) / f64::from(arguments.points - 1);
         let frequency = arguments.from * (decades * share).exp();
-        let (magnitude, phase) = match linear.response(from, to, frequency) {
-            Some(response) => (response.norm(), response.arg()),
-            None => (f64::INFINITY, f64::NAN),
-        };
-        csv::push_row(&mut text, &[frequency, magnitude, phase]);
-    }
-    text
+        match linear.response(from, to, frequency) {
+            Some(response) => [frequency, response.norm(), response.arg()],
+            None => [frequency, f64::INFINITY, f64::NAN],
+        }
+    });
+    points.collect()
 }
 
 /// Shares of the kinetic energy below this are not shown.

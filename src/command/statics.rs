@@ -174,7 +174,8 @@ fn stiffnesses(
     found
 }
 
-fn over(unit: &str, by: &str) -> String {
+/// The unit of a ratio in words; nothing where both units are the same.
+pub fn over(unit: &str, by: &str) -> String {
     match (unit == by, unit, by) {
         (true, ..) => String::new(),
         (_, unit, "1") => unit.to_owned(),

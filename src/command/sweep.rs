@@ -3,6 +3,8 @@
 //! Rows go into a journal beside the output as they are done. The output is written from it at the
 //! end, and then the journal is removed: a sweep that was killed goes on where it was.
 
+mod picture;
+
 use std::io::{self, BufRead, IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -16,11 +18,13 @@ use flexure::study::{
 };
 use indicatif::ProgressBar;
 
+use super::charts;
 use super::output::{self, OutputFile, cannot_write};
 use super::settings::{Chosen, Settings, non_negative_time, time, tolerance};
 use super::terminal::{PROGRESS_STEPS, Terminal};
 use super::yields::Yields;
 use super::{Failure, csv};
+use picture::Picture;
 
 /// Simulate many designs of a model and write measures of each as a table (CSV)
 #[derive(Debug, Args)]
@@ -29,6 +33,8 @@ Examples:
   flexure sweep models/double_rocker.flex --vary f=100Hz..2kHz:100Hz --vary Fp=5N,10N,20N \\
       --measure 'mean(stage.v)' -o speed.csv
   flexure sweep models/double_rocker.flex --vary mu_s+mu_c=90%..110%:5% --measure 'step(stage.x)'
+  flexure sweep models/double_rocker.flex --vary f=100Hz..2kHz:100Hz --vary Fp=5N,20N \\
+      --measure 'mean(stage.v)' -o speed.csv --plot speed.html
   flexure sweep models/double_rocker.flex --spread l2=normal(10um) --spread 'e=uniform(±2%)' \\
       --draws 200 --limit 'mean(stage.v) > 5mm/s' -o yield.csv
 
@@ -97,6 +103,10 @@ pub struct Arguments {
     /// File for the table; standard output if not given
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
+    /// Picture of the measures (.svg), or a page with their numbers and the mechanism (.html): the
+    /// first varied param to the right, a curve for each value of the second
+    #[arg(long, value_name = "OUT.svg|.html", value_parser = charts::path, conflicts_with = "spread")]
+    plot: Option<PathBuf>,
     /// Forget what was done before and start over
     #[arg(long, requires = "output")]
     restart: bool,
@@ -121,23 +131,28 @@ const SAMPLES_IN_A_SPAN: u32 = 2000;
 /// If the call does not fit the model, the model is wrong, a file cannot be read or written, or the
 /// journal beside the output is of another sweep.
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
-    if let Some(output) = &arguments.output {
-        output::spare_model(output, &arguments.settings.file)?;
+    for path in [&arguments.output, &arguments.plot].into_iter().flatten() {
+        output::spare_model(path, &arguments.settings.file)?;
         for points in &arguments.points {
-            if output::same_file(output, points) {
+            if output::same_file(path, points) {
                 return Err(Failure::usage(format!(
                     "writing `{}` would overwrite the design points",
-                    output.display()
+                    path.display()
                 )));
             }
         }
-        output::check_place(output)?;
+        output::check_place(path)?;
     }
+    charts::keep_apart(arguments.output.as_deref(), arguments.plot.as_deref())?;
     let mut chosen = arguments.settings.choose(terminal)?;
     chosen.design.exact(arguments.exact);
     let model = chosen.design.model().clone();
     let limits = all(&arguments.limit, |written| Limit::parse(&model, written))?;
     let sweep = sweep(arguments, chosen, &model, &limits)?;
+    let picture = match &arguments.plot {
+        Some(_) => Some(Picture::new(&sweep, &model)?),
+        None => None,
+    };
     ask(arguments, sweep.points.len())?;
     let mut study = Study {
         sweep: &sweep,
@@ -148,6 +163,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
             let varied = varied.zip(sweep.points.units(&model)).collect();
             Yields::new(&sweep.measures, &limits, varied, sweep.points.draws_each())
         }),
+        picture,
         counts: [0; Status::ALL.len()],
         bar: terminal.progress(),
     };
@@ -176,6 +192,11 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Result<(), Failure> {
         } else {
             terminal.note(yields.text().trim_end());
         }
+    }
+    if let (Some(picture), Some(path)) = (study.picture, &arguments.plot) {
+        let text = picture.charts(arguments, &sweep).file(path)?;
+        OutputFile::create(path)?.finish_with(&text)?;
+        terminal.note(format_args!("wrote {}", path.display()));
     }
     Ok(())
 }
@@ -309,6 +330,7 @@ struct Study<'a> {
     model: &'a Model,
     threads: usize,
     yields: Option<Yields<'a>>,
+    picture: Option<Picture<'a>>,
     /// Rows of each status.
     counts: [usize; Status::ALL.len()],
     bar: ProgressBar,
@@ -450,6 +472,9 @@ impl Study<'_> {
         }
         if let Some(yields) = &mut self.yields {
             yields.add(row);
+        }
+        if let Some(picture) = &mut self.picture {
+            picture.add(row);
         }
     }
 }
