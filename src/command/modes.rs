@@ -24,8 +24,8 @@ use super::{Failure, print};
 Examples:
   flexure modes models/double_rocker.flex --without tip
   flexure modes models/double_rocker.flex --stick tip --matrices linear
-  flexure modes models/xy_stage.flex --response xp:x --from 10Hz --to 1kHz -o response.csv
-  flexure modes models/xy_stage.flex --response xp:x --to 1kHz --plot response.html
+  flexure modes models/xy_stage.flex --response ux:x --from 10Hz --to 1kHz -o response.csv
+  flexure modes models/xy_stage.flex --response ux:x --to 1kHz --plot response.html
 
 --matrices PREFIX writes PREFIX_A.csv to PREFIX_D.csv, without header, and PREFIX_names.csv with
 what rows and columns stand for. Read them with numpy.loadtxt(\"PREFIX_A.csv\", delimiter=\",\", ndmin=2)

@@ -79,7 +79,7 @@ impl Study<'_> {
             Some(Band {
                 from,
                 to,
-                label: if is_single { "linear regime" } else { "" }.to_owned(),
+                label: "linear regime".to_owned(),
                 series: (!is_single).then_some(index),
             })
         });
