@@ -3,7 +3,9 @@
 //! What simulates has its own, faster `prepare`; this evaluates the equations plainly. How far the
 //! mechanism can be led is asked of what simulates.
 
-use flexure_model_dsl::equations::{Definition, DrawnEnd, Equations, Shape, ShownUnit, Solve};
+use flexure_model_dsl::equations::{
+    Definition, Drawing, DrawnEnd, Equations, Shape, ShownUnit, Solve,
+};
 use flexure_model_dsl::symbolic::{Evaluator, Expr};
 use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::failure::{Unit, quantity, render};
@@ -16,6 +18,7 @@ use crate::reach::{self, Reach};
 /// Values of whatever depends on params alone.
 pub struct Assembled<'m> {
     equations: &'m Equations,
+    params: Vec<f64>,
     evaluator: Evaluator<'m>,
     system: Box<dyn System>,
 }
@@ -80,18 +83,10 @@ impl<'m> Assembled<'m> {
         params: &[f64],
         system: Box<dyn System>,
     ) -> Result<Self, Diagnostic> {
-        let mut evaluator = Evaluator::new(&equations.graph);
-        for (param, value) in equations.params.iter().zip(params) {
-            evaluator.set(param.symbol, *value);
-        }
-        for definition in &equations.definitions {
-            match definition {
-                Definition::Value { symbol, value, .. } => evaluator.define(*symbol, *value),
-                Definition::Solve(solve) => close(&mut evaluator, solve)?,
-            }
-        }
+        let evaluator = evaluator(equations, params, &[])?;
         Ok(Self {
             equations,
+            params: params.to_vec(),
             evaluator,
             system,
         })
@@ -100,6 +95,14 @@ impl<'m> Assembled<'m> {
     /// The value of an expression of params; not a number if it depends on anything else.
     pub fn value(&mut self, expr: Expr) -> f64 {
         self.evaluator.value(expr)
+    }
+
+    /// The period of the drives in s: of the slowest one that repeats.
+    pub fn period(&mut self) -> Option<f64> {
+        let equations = self.equations;
+        let frequencies = equations.periodic.iter();
+        let periods = frequencies.map(|drive| 1.0 / self.value(drive.frequency));
+        periods.filter(|period| period.is_finite()).reduce(f64::max)
     }
 
     /// How far each coordinate that loops follow can be led from its assembled value, the other
@@ -140,53 +143,103 @@ impl<'m> Assembled<'m> {
 
     /// The shape of the mechanism.
     pub fn places(&mut self) -> Places {
-        let drawing = &self.equations.drawing;
-        let mut places = Places::default();
-        for shape in &drawing.shapes {
-            match shape {
-                Shape::Link(name, corners) => {
-                    let corners = corners.iter().map(|&corner| self.point(corner)).collect();
-                    places.links.push((name.clone(), corners));
-                }
-                Shape::Slide(name, at, along) => {
-                    let at = at.map(|at| self.point(at));
-                    places.slides.push((name.clone(), at, self.point(*along)));
-                }
+        places(&mut self.evaluator, &self.equations.drawing)
+    }
+
+    /// The shape of the mechanism at a state, given by the values of the equations' states in SI.
+    /// Slides without a place in the model count from an arbitrary one.
+    ///
+    /// # Errors
+    ///
+    /// If a loop does not close there.
+    pub fn places_at(&self, states: &[f64]) -> Result<Places, Diagnostic> {
+        let mut evaluator = evaluator(self.equations, &self.params, states)?;
+        Ok(places(&mut evaluator, &self.equations.moving))
+    }
+}
+
+/// What is known of params and, if given, of states.
+fn evaluator<'m>(
+    equations: &'m Equations,
+    params: &[f64],
+    states: &[f64],
+) -> Result<Evaluator<'m>, Diagnostic> {
+    let mut evaluator = Evaluator::new(&equations.graph);
+    for (param, value) in equations.params.iter().zip(params) {
+        evaluator.set(param.symbol, *value);
+    }
+    for (state, value) in equations.states.iter().zip(states) {
+        evaluator.set(state.symbol, *value);
+    }
+    for definition in &equations.definitions {
+        match definition {
+            Definition::Value { symbol, value, .. } => evaluator.define(*symbol, *value),
+            Definition::Solve(solve) => close(&mut evaluator, solve)?,
+        }
+    }
+    if !states.is_empty() {
+        // Memory decides between turns of an angle, which leave places as they are.
+        for discrete in &equations.discretes {
+            let initial = evaluator.value(discrete.initial);
+            evaluator.set(discrete.symbol, initial);
+        }
+    }
+    Ok(evaluator)
+}
+
+/// A drawing in numbers.
+fn places(evaluator: &mut Evaluator, drawing: &Drawing) -> Places {
+    let mut places = Places::default();
+    for shape in &drawing.shapes {
+        match shape {
+            Shape::Link(name, corners) => {
+                let corners = corners
+                    .iter()
+                    .map(|&corner| point(evaluator, corner))
+                    .collect();
+                places.links.push((name.clone(), corners));
+            }
+            Shape::Slide(name, at, along) => {
+                let at = at.map(|at| point(evaluator, at));
+                places
+                    .slides
+                    .push((name.clone(), at, point(evaluator, *along)));
             }
         }
-        for mark in &drawing.marks {
-            let at = self.point(mark.at);
-            places.marks.push((mark.name.clone(), at, mark.pin));
-        }
-        for spring in &drawing.springs {
-            places.springs.push(PlacedSpring {
-                name: spring.name.clone(),
-                ends: self.ends(&spring.ends),
-                axis: spring.axis.map(|axis| self.point(axis)),
-                stack: spring.stack,
-            });
-        }
-        for contact in &drawing.contacts {
-            places.contacts.push(PlacedContact {
-                name: contact.name.clone(),
-                ends: self.ends(&contact.ends),
-                along: self.point(contact.along),
-                normal: contact.normal.map(|normal| self.point(normal)),
-            });
-        }
-        places
     }
+    for mark in &drawing.marks {
+        let at = point(evaluator, mark.at);
+        places.marks.push((mark.name.clone(), at, mark.pin));
+    }
+    for spring in &drawing.springs {
+        places.springs.push(PlacedSpring {
+            name: spring.name.clone(),
+            ends: ends(evaluator, &spring.ends),
+            axis: spring.axis.map(|axis| point(evaluator, axis)),
+            stack: spring.stack,
+        });
+    }
+    for contact in &drawing.contacts {
+        places.contacts.push(PlacedContact {
+            name: contact.name.clone(),
+            ends: ends(evaluator, &contact.ends),
+            along: point(evaluator, contact.along),
+            normal: contact.normal.map(|normal| point(evaluator, normal)),
+        });
+    }
+    places
+}
 
-    fn ends(&mut self, ends: &[DrawnEnd; 2]) -> [PlacedEnd; 2] {
-        [0, 1].map(|index| {
-            let end = &ends[index];
-            (end.body.clone(), end.at.map(|at| self.point(at)))
-        })
-    }
+fn ends(evaluator: &mut Evaluator, ends: &[DrawnEnd; 2]) -> [PlacedEnd; 2] {
+    [0, 1].map(|index| {
+        let end = &ends[index];
+        let at = end.at.map(|at| point(evaluator, at));
+        (end.body.clone(), at)
+    })
+}
 
-    fn point(&mut self, point: [Expr; 2]) -> Point {
-        point.map(|coordinate| self.value(coordinate))
-    }
+fn point(evaluator: &mut Evaluator, point: [Expr; 2]) -> Point {
+    point.map(|coordinate| evaluator.value(coordinate))
 }
 
 /// The longer side of the box around all links and points, in m; 1 m where there are none.

@@ -26,6 +26,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Many designs at once, with measures of each run, are a [`study::Sweep`] (feature `study`, which
+//! `cli` brings along).
+//!
 //! The compiler itself is in [`model_dsl`] and [`codegen`], what simulators run on in [`runtime`];
 //! the `flexure` command stands behind the default feature `cli`.
 
@@ -33,6 +36,13 @@ mod assembled;
 mod macros;
 mod model;
 mod reach;
+pub mod response;
+pub mod statics;
+#[cfg(feature = "study")]
+pub mod study;
+
+pub mod picture;
+pub mod report;
 
 pub use assembled::{Assembled, PlacedContact, PlacedEnd, PlacedSpring, Places, Point};
 pub use flexure_codegen as codegen;

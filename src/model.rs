@@ -8,6 +8,7 @@ use flexure_codegen as codegen;
 use flexure_model_dsl::equations::Equations;
 use flexure_model_dsl::source::Source;
 use flexure_model_dsl::suggest::closest;
+use flexure_model_dsl::symbolic::Rational;
 use flexure_model_dsl::units::{Dimension, Mark, parse_quantity};
 use flexure_runtime::diagnostic::Diagnostic;
 use flexure_runtime::lanes::LaneSystem;
@@ -160,6 +161,28 @@ impl Model {
         &self.inner.tape.program().inputs
     }
 
+    /// The position of a param among [`Self::params`].
+    ///
+    /// # Errors
+    ///
+    /// If the model has no such param; the hint names the one that may be meant.
+    pub fn position(&self, name: &str) -> Result<usize, Diagnostic> {
+        let params = &self.equations().params;
+        params
+            .iter()
+            .position(|param| param.name == name)
+            .ok_or_else(|| {
+                let error =
+                    Diagnostic::error(format!("model `{}` has no param `{name}`", self.name()));
+                let names = params.iter().map(|param| param.name.as_str());
+                error.hint(match closest(name, names.clone()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None if params.is_empty() => "it has no params at all".to_owned(),
+                    None => format!("it has {}", names.collect::<Vec<_>>().join(", ")),
+                })
+            })
+    }
+
     /// A parameter set to start from: every param at its default.
     pub fn design(&self) -> Design {
         Design {
@@ -170,7 +193,7 @@ impl Model {
     }
 }
 
-fn read(path: &Path) -> Result<String, String> {
+pub(crate) fn read(path: &Path) -> Result<String, String> {
     let in_words = |why: std::io::Error| match why.kind() {
         std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
         std::io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
@@ -207,13 +230,19 @@ impl Design {
         &self.values
     }
 
+    /// The same, to be changed.
+    #[cfg(feature = "study")]
+    pub(crate) fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
     /// Sets a param to a value in SI.
     ///
     /// # Errors
     ///
     /// If the model has no such param; the hint names the one that may be meant.
     pub fn set(&mut self, name: &str, value: f64) -> Result<&mut Self, Diagnostic> {
-        let index = self.position(name)?;
+        let index = self.model.position(name)?;
         self.values[index] = value;
         Ok(self)
     }
@@ -225,7 +254,7 @@ impl Design {
     /// If the model has no such param, or the value is no quantity or has another unit.
     pub fn set_written(&mut self, assignment: &str) -> Result<&mut Self, Diagnostic> {
         let (name, written) = split_assignment(assignment)?;
-        let index = self.position(name)?;
+        let index = self.model.position(name)?;
         let param = &self.model.equations().params[index];
         self.values[index] = quantity(name, written, param.dimension)?;
         Ok(self)
@@ -263,6 +292,11 @@ impl Design {
         self
     }
 
+    /// Whether functions of one coordinate are in closed form everywhere.
+    pub fn is_exact(&self) -> bool {
+        self.is_exact
+    }
+
     /// Closes the loops, picks branches and computes all that depends on params alone.
     ///
     /// # Errors
@@ -285,25 +319,6 @@ impl Design {
     pub fn assembled(&self) -> Result<Assembled<'_>, Diagnostic> {
         let system = Box::new(self.prepare()?);
         Assembled::new(self.model.equations(), &self.values, system)
-    }
-
-    fn position(&self, name: &str) -> Result<usize, Diagnostic> {
-        let params = &self.model.equations().params;
-        params
-            .iter()
-            .position(|param| param.name == name)
-            .ok_or_else(|| {
-                let error = Diagnostic::error(format!(
-                    "model `{}` has no param `{name}`",
-                    self.model.name()
-                ));
-                let names = params.iter().map(|param| param.name.as_str());
-                error.hint(match closest(name, names.clone()) {
-                    Some(near) => format!("did you mean `{near}`?"),
-                    None if params.is_empty() => "it has no params at all".to_owned(),
-                    None => format!("it has {}", names.collect::<Vec<_>>().join(", ")),
-                })
-            })
     }
 }
 
@@ -328,6 +343,18 @@ pub fn split_assignment(assignment: &str) -> Result<(&str, &str), Diagnostic> {
 ///
 /// If it is no quantity or has another unit.
 pub fn quantity(name: &str, written: &str, expected: Dimension) -> Result<f64, Diagnostic> {
+    exact_quantity(name, written, expected)?
+        .to_f64()
+        .filter(|value| value.is_finite())
+        .ok_or_else(|| Diagnostic::error(format!("`{name}`: {written} is too large")))
+}
+
+/// [`quantity`] without rounding.
+pub(crate) fn exact_quantity(
+    name: &str,
+    written: &str,
+    expected: Dimension,
+) -> Result<Rational, Diagnostic> {
     let (value, given) =
         parse_quantity(written).map_err(|why| Diagnostic::error(format!("`{name}`: {why}")))?;
     if let Some(given) = given {
@@ -355,8 +382,5 @@ pub fn quantity(name: &str, written: &str, expected: Dimension) -> Result<f64, D
             .hint("1 Hz is 2π rad/s"));
         }
     }
-    value
-        .to_f64()
-        .filter(|value| value.is_finite())
-        .ok_or_else(|| Diagnostic::error(format!("`{name}`: {written} is too large")))
+    Ok(value)
 }

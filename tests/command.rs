@@ -91,7 +91,18 @@ fn with_oscillator(name: &str) -> PathBuf {
 #[test]
 fn help_has_examples_everywhere() {
     let here = folder("help");
-    for subcommand in ["new", "check", "derive", "emit", "simulate"] {
+    for subcommand in [
+        "new",
+        "check",
+        "derive",
+        "emit",
+        "simulate",
+        "static",
+        "modes",
+        "sweep",
+        "response",
+        "sensitivity",
+    ] {
         let answer = flexure(&here, &[subcommand, "--help"]).is(0);
         assert!(answer.out.contains("Examples:"), "{}", answer.out);
         assert!(answer.out.contains(&format!("flexure {subcommand}")));
@@ -481,10 +492,12 @@ fn pictures_are_whole_and_load_nothing() {
         for expected in ["Position (µm)", "stage.x", "time (ms)"] {
             assert!(text.contains(expected), "{plot}: {expected}");
         }
-        for external in ["src=", "href=", "@import", "url(", "<script"] {
+        for external in ["src=", "href=", "@import", "url("] {
             assert!(!text.contains(external), "{plot}: {external}");
         }
         assert!(!text.contains("NaN"), "{plot}");
+        let scripts = usize::from(plot == "a.html");
+        assert_eq!(text.matches("<script").count(), scripts, "{plot}");
     }
     let page = fs::read_to_string(here.join("a.html")).unwrap();
     for expected in [
@@ -492,7 +505,9 @@ fn pictures_are_whole_and_load_nothing() {
         "coupler",
         "rocker",
         "15 N",
-        "A(φ1)",
+        "<mi>φ</mi>",
+        "From 1 ms to 2 ms",
+        "Displacements are magnified",
         "prefers-color-scheme",
     ] {
         assert!(page.contains(expected), "{expected}");
@@ -541,4 +556,112 @@ fn the_first_column_is_time_and_states_come_before_outputs() {
     }
     assert!((rows[0][1] - 80f64.to_radians()).abs() < 1e-15);
     assert!(rows.iter().all(|row| row.len() == names.len()));
+}
+
+/// A mass of 1 kg on 400 N/m, pushed by 2 N.
+#[test]
+fn statics_and_modes_of_an_oscillator() {
+    let here = with_oscillator("statics");
+    let file = "oscillator.flex";
+    let said = flexure(&here, &["static", file, "--set", "push=2N"])
+        .is(0)
+        .out;
+    // 2 N over 400 N/m, twice.
+    assert!(said.contains("power_of_two     10 mm"), "{said}");
+    assert!(said.contains("at power_of_two  100 N/m"), "{said}");
+    // sqrt(400)/2π Hz.
+    let said = flexure(&here, &["modes", file]).is(0).out;
+    assert!(
+        said.contains("3.1831 Hz") && said.contains("mass.x 100.0 %"),
+        "{said}"
+    );
+    let words = [
+        "modes",
+        file,
+        "--response",
+        "push:mass.x",
+        "--from",
+        "1Hz",
+        "--to",
+        "2Hz",
+    ];
+    let (names, rows) = table(
+        &flexure(&here, &[&words[..], &["--points", "3"]].concat())
+            .is(0)
+            .out,
+    );
+    assert_eq!(names, ["frequency", "magnitude", "phase"]);
+    assert_eq!(rows.len(), 3);
+    for row in rows {
+        let w = std::f64::consts::TAU * row[0];
+        assert!((row[1] * (400.0 - w * w) - 1.0).abs() < 1e-12, "{row:?}");
+    }
+    for picture in ["bode.svg", "bode.html"] {
+        flexure(&here, &[&words[..], &["--plot", picture]].concat()).is(0);
+        let text = fs::read_to_string(here.join(picture)).unwrap();
+        for words in ["Response of mass.x to push", "magnitude (m per N)", "phase"] {
+            assert!(text.contains(words), "{words}: {text}");
+        }
+    }
+    flexure(&here, &["modes", file, "--matrices", "linear"]).is(0);
+    let part = |name: &str| fs::read_to_string(here.join(format!("linear_{name}.csv"))).unwrap();
+    let matrix = |name: &str| -> Vec<Vec<f64>> {
+        let text = part(name);
+        let rows = text.lines();
+        rows.map(|row| row.split(',').map(|v| v.parse().unwrap()).collect())
+            .collect()
+    };
+    assert_eq!(matrix("A"), [[0.0, 1.0], [-400.0, 0.0]]);
+    assert_eq!(matrix("B"), [[0.0], [1.0]]);
+    assert_eq!(matrix("C")[0], [2.0, 0.0]);
+    assert_eq!(matrix("D")[0], [0.0]);
+    let names = part("names");
+    for line in [
+        "kind,number,name,unit",
+        "state,1,mass.x,m",
+        "state,2,mass.v,m/s",
+        "input,1,push,N",
+    ] {
+        assert!(names.lines().any(|known| known == line), "{names}");
+    }
+}
+
+#[test]
+fn wrong_studies_at_rest_are_refused() {
+    let here = with_oscillator("statics_refused");
+    let file = "oscillator.flex";
+    let refused = |words: &[&str], says: &[&str]| {
+        flexure(&here, words).is(2).says(says);
+    };
+    refused(
+        &["static", file, "--without", "tip"],
+        &["no contact `tip`", "no contacts at all"],
+    );
+    refused(
+        &["static", file, "--drive", "pusch=1N"],
+        &["did you mean `push`?"],
+    );
+    refused(&["static", file, "--drive", "push=1m"], &["force"]);
+    refused(
+        &["static", file, "--output", "mas.x"],
+        &["did you mean `mass.x`?"],
+    );
+    refused(&["modes", file, "--response", "push"], &["xp:stage.x"]);
+    refused(
+        &[
+            "modes",
+            file,
+            "--response",
+            "push:mass.x",
+            "--from",
+            "2Hz",
+            "--to",
+            "1Hz",
+        ],
+        &["below"],
+    );
+    refused(
+        &["modes", file, "--response", "push:mass.x", "--from", "2s"],
+        &["frequency"],
+    );
 }

@@ -1,9 +1,10 @@
 //! The equations for people: the sections of [`Equations::report`] as plain text, as a LaTeX
-//! document, and as Markdown with LaTeX mathematics.
+//! document, as Markdown with LaTeX mathematics, and in MathML for pages.
 //!
 //! Long sums stand one term to a line, with the operators in front and in one column.
 
 mod latex;
+mod mathml;
 mod text;
 
 use flexure_model_dsl::equations::Equations;
@@ -22,6 +23,12 @@ pub fn latex(equations: &Equations) -> String {
 /// The equations as Markdown, with mathematics between double dollar signs.
 pub fn markdown(equations: &Equations) -> String {
     latex::markdown(equations)
+}
+
+/// The equations as a piece of an HTML page, with mathematics in MathML: a heading of level three
+/// for each section, tables of equations with the classes `left` and `note`.
+pub fn mathml(equations: &Equations) -> String {
+    mathml::fragment(equations)
 }
 
 /// Columns that a line of plain text should not exceed.

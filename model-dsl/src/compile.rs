@@ -29,7 +29,7 @@ pub fn compile(
 }
 
 /// What is wrong in the same way with several copies of one place is told of the first.
-fn once_each(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+pub(crate) fn once_each(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     diagnostics.retain(|diagnostic| {
         let is_copy = |earlier: &Diagnostic| {

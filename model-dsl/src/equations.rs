@@ -40,6 +40,8 @@ pub struct Equations {
     pub states: Vec<State>,
     /// Discrete state.
     pub discretes: Vec<Discrete>,
+    /// Drives that repeat.
+    pub periodic: Vec<Periodic>,
     /// Kinks of drives.
     pub kinks: Vec<Kink>,
     /// Events.
@@ -60,6 +62,9 @@ pub struct Equations {
     pub summary: Vec<Fact>,
     /// Its shape for pictures.
     pub drawing: Drawing,
+    /// Its shape at any state, the same parts in the same order. A slide that has no place in the
+    /// model has one here from which only its changes count.
+    pub moving: Drawing,
 }
 
 /// What a symbol stands for.
@@ -199,6 +204,15 @@ pub struct Discrete {
     pub accepted: Option<Expr>,
     /// Whether it is an angle in rad that must not move by more than π/2 in a step.
     pub turning: bool,
+}
+
+/// A drive that repeats.
+#[derive(Clone, Debug)]
+pub struct Periodic {
+    /// Name of the drive.
+    pub name: String,
+    /// How often it does so, in Hz, of params.
+    pub frequency: Expr,
 }
 
 /// The end of a drive's present segment.

@@ -8,6 +8,7 @@ pub mod model;
 pub mod notation;
 pub mod parts;
 pub mod resolve;
+mod rest;
 pub mod source;
 pub mod structure;
 pub mod suggest;
@@ -16,3 +17,4 @@ pub mod syntax;
 pub mod units;
 
 pub use compile::compile;
+pub use rest::{AtRest, Held, Hold, compile_at_rest};

@@ -215,6 +215,8 @@ pub struct Input {
     pub symbol: Symbol,
     /// Value until somebody sets it: a constant expression.
     pub start: Expr,
+    /// The input that is its rate in time, where there is one; else it stands still.
+    pub rate: Option<Symbol>,
     /// Dimension.
     pub dimension: Dimension,
     /// The user's words on it.
@@ -248,8 +250,12 @@ pub struct Waveform {
     pub value: Expr,
     /// Where the piece ends.
     pub kink: Option<WaveformKink>,
+    /// Value at full stroke, of params; `None` where the form has none.
+    pub full: Option<Expr>,
     /// What must hold of its arguments.
     pub conditions: Vec<Condition>,
+    /// How often it repeats, in Hz, of params; `None` if it does not.
+    pub frequency: Option<Expr>,
 }
 
 /// A condition on a quantity of params that a waveform or law needs to make sense.
@@ -532,8 +538,23 @@ pub struct Contact {
     pub normal_force: NormalForce,
     /// Friction law.
     pub friction: Friction,
+    /// How it takes part.
+    pub role: ContactRole,
     /// Its name in the file.
     pub span: Span,
+}
+
+/// How a contact takes part in the motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ContactRole {
+    /// By its laws.
+    #[default]
+    Slides,
+    /// Its sides never slide: friction by its law, with the displacement of one side against the
+    /// other as the law's internal state, so that a bristle is a spring and a damper.
+    Sticks,
+    /// Not at all: neither friction nor a normal force.
+    LeftOut,
 }
 
 /// How the normal force of a contact arises.
@@ -570,6 +591,8 @@ pub struct Friction {
     pub force: Expr,
     /// Stored energy in J.
     pub energy: Expr,
+    /// The greatest friction force that holds at rest, in N.
+    pub holds: Expr,
     /// What must hold of its parameters and the force it is referred to.
     pub conditions: Vec<Condition>,
 }

@@ -352,6 +352,20 @@ fn samples_are_taken_exactly_where_they_are_asked_for() {
 }
 
 #[test]
+fn a_start_that_is_off_is_another_start() {
+    let balls = balls(4);
+    let off = |index: usize| 0.125 * index as f64;
+    let offset = runs(&balls, false).offsets_each(|index| vec![0.0, off(index)]);
+    let mut others = balls.clone();
+    for (index, ball) in others.iter_mut().enumerate() {
+        ball.velocity += off(index);
+    }
+    assert_same(&offset.collect(), &runs(&others, false).collect());
+    let unchanged = runs(&balls, false).offsets_each(|_| Vec::new()).collect();
+    assert_same(&unchanged, &runs(&balls, false).collect());
+}
+
+#[test]
 fn what_fails_has_its_place_among_the_results() {
     let refuse = |index: usize, ball: Ball<f64>| {
         if index % 3 == 1 {

@@ -9,25 +9,45 @@ pub fn push_header<'n>(line: &mut String, names: impl Iterator<Item = &'n str>) 
         if index > 0 {
             line.push(',');
         }
-        // Quoted where a name holds what separates fields.
-        if name.contains([',', '"', '\n', '\r']) {
-            let _ = write!(line, "\"{}\"", name.replace('"', "\"\""));
-        } else {
-            line.push_str(name);
-        }
+        push_text(line, name);
     }
     line.push('\n');
 }
 
+/// Appends a field of text, quoted where it holds what separates fields.
+pub fn push_text(line: &mut String, text: &str) {
+    if text.contains([',', '"', '\n', '\r']) {
+        let _ = write!(line, "\"{}\"", text.replace('"', "\"\""));
+    } else {
+        line.push_str(text);
+    }
+}
+
+/// A number as a field.
+pub fn number(value: f64) -> String {
+    format!("{value:.16e}")
+}
+
+/// Appends a row of fields of any kind.
+pub fn push_fields(line: &mut String, fields: &[String]) {
+    push_header(line, fields.iter().map(String::as_str));
+}
+
 /// Appends a row.
 pub fn push_row(line: &mut String, values: &[f64]) {
-    for (index, value) in values.iter().enumerate() {
-        if index > 0 {
-            line.push(',');
-        }
-        let _ = write!(line, "{value:.16e}");
+    push_values(line, values);
+    // No field follows the last.
+    if line.ends_with(',') {
+        line.pop();
     }
     line.push('\n');
+}
+
+/// Appends fields of numbers, a comma behind each.
+pub fn push_values<'v>(line: &mut String, values: impl IntoIterator<Item = &'v f64>) {
+    for value in values {
+        let _ = write!(line, "{value:.16e},");
+    }
 }
 
 #[cfg(test)]

@@ -1,22 +1,34 @@
 //! The `flexure` command: its subcommands and options, and how a call ends.
 //!
-//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`]. They report
-//! failures as [`Failure`], which knows its exit status: 1 where the model or the run failed or a
-//! file could not be read or written, 2 where the call itself is wrong (an unknown option, an
-//! unknown parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
+//! Each subcommand is a file: [`new`], [`check`], [`derive`], [`emit`], [`simulate`],
+//! [`statics`], [`modes`], [`sweep`], [`response`], [`sensitivity`]. They report failures as
+//! [`Failure`], which knows its exit status: 1 where the model or the run failed or a file could
+//! not be read or written, 2 where the call itself is wrong (an unknown option, an unknown
+//! parameter, a value in the wrong unit). A reader that closes the pipe early is no failure.
 
+mod actuator;
+mod axis;
+mod charts;
 mod check;
+mod columns;
 mod csv;
 mod derive;
 mod emit;
+mod held;
+mod modes;
 mod new;
 mod output;
-mod plot;
+mod panels;
 mod portrait;
 mod recording;
+mod response;
+mod sensitivity;
 mod settings;
 mod simulate;
+mod statics;
+mod sweep;
 mod terminal;
+mod yields;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -41,6 +53,7 @@ Examples:
   flexure check my_stage.flex                              what the model says, and what is wrong
   flexure derive my_stage.flex                             its equations of motion
   flexure simulate my_stage.flex --until 20ms --plot my_stage.html
+  flexure sweep my_stage.flex --vary f=100Hz..2kHz:100Hz --measure 'mean(stage.v)' -o speed.csv
 
 Exit status: 0 done, 1 the model or the run failed, 2 the call is wrong.")]
 struct Arguments {
@@ -58,6 +71,11 @@ enum Command {
     Derive(derive::Arguments),
     Emit(emit::Arguments),
     Simulate(simulate::Arguments),
+    Static(statics::Arguments),
+    Modes(modes::Arguments),
+    Sweep(sweep::Arguments),
+    Response(response::Arguments),
+    Sensitivity(sensitivity::Arguments),
 }
 
 /// Why a call did not do what it was asked.
@@ -108,6 +126,11 @@ pub fn run() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         Command::Simulate(arguments) => simulate::run(&arguments, &terminal),
+        Command::Static(arguments) => statics::run(&arguments, &terminal),
+        Command::Modes(arguments) => modes::run(&arguments, &terminal),
+        Command::Sweep(arguments) => sweep::run(&arguments, &terminal),
+        Command::Response(arguments) => response::run(&arguments, &terminal),
+        Command::Sensitivity(arguments) => sensitivity::run(&arguments, &terminal),
     };
     match outcome {
         Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,

@@ -25,23 +25,7 @@ impl OutputFile {
     ///
     /// A failure that names the file and says in words why it cannot be written.
     pub fn create(target: &Path) -> Result<Self, Failure> {
-        if target.is_dir() {
-            return Err(Failure::run(format!(
-                "cannot write `{}`: it is a folder; name a file in it",
-                target.display()
-            )));
-        }
-        let folder = match target.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        if !folder.is_dir() {
-            return Err(Failure::run(format!(
-                "cannot write `{}`: there is no folder `{}`",
-                target.display(),
-                folder.display()
-            )));
-        }
+        check_place(target)?;
         let regular = fs::metadata(target).map_or(true, |data| data.is_file());
         if !regular {
             let file = File::options().write(true).open(target);
@@ -51,12 +35,6 @@ impl OutputFile {
                 beside: None,
                 writer: BufWriter::new(file),
             });
-        }
-        if fs::metadata(target).is_ok_and(|data| data.permissions().readonly()) {
-            return Err(Failure::run(format!(
-                "cannot write `{}`: the file is write-protected",
-                target.display()
-            )));
         }
         // A link is followed, so that the file behind it is replaced and not the link.
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
@@ -115,6 +93,34 @@ impl Drop for OutputFile {
             let _ = fs::remove_file(beside);
         }
     }
+}
+
+/// Checks that a file may be written there, as far as that shows without writing it.
+///
+/// # Errors
+///
+/// A failure that names the file and says in words why it cannot be written.
+pub fn check_place(target: &Path) -> Result<(), Failure> {
+    let fault = |why: &str| {
+        Err(Failure::run(format!(
+            "cannot write `{}`: {why}",
+            target.display()
+        )))
+    };
+    if target.is_dir() {
+        return fault("it is a folder; name a file in it");
+    }
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    if !folder.is_dir() {
+        return fault(&format!("there is no folder `{}`", folder.display()));
+    }
+    if fs::metadata(target).is_ok_and(|data| data.is_file() && data.permissions().readonly()) {
+        return fault("the file is write-protected");
+    }
+    Ok(())
 }
 
 /// Refuses to write over the model file.

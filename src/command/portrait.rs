@@ -1,13 +1,12 @@
 //! A run as a picture or a page.
 
-use flexure::codegen::report;
-use flexure::model_dsl::units::Mark;
+use flexure::Assembled;
+use flexure::picture::{Graphic, degrees, display_unit, number, with_unit};
+use flexure::report::{Block, Column as TableColumn, Figure, Motion, Report, Section, Table};
 use flexure::runtime::simulate::{Breakdown, Ending, Summary};
 
 use super::Failure;
-use super::plot::page::{Page, Row, page};
-use super::plot::panels::{Column, Panel, choose};
-use super::plot::{figure, scale};
+use super::panels::{Column, chart};
 use super::recording::Recorded;
 use super::settings::Chosen;
 use super::simulate::{Arguments, Method};
@@ -30,11 +29,7 @@ pub struct Portrait<'a> {
 impl Portrait<'_> {
     /// The curves as SVG.
     pub fn figure(&self) -> String {
-        figure::standalone(
-            self.chosen.design.model().name(),
-            self.time(),
-            &self.panels(),
-        )
+        self.graphic().file()
     }
 
     /// The whole study as HTML.
@@ -45,29 +40,62 @@ impl Portrait<'_> {
     pub fn page(&self) -> Result<String, Failure> {
         let model = self.chosen.design.model();
         let mut assembled = self.chosen.design.assembled().map_err(Failure::model)?;
-        Ok(page(&Page {
-            title: model.name(),
-            doc: &model.equations().doc,
-            places: assembled.places(),
-            facts: assembled.facts(),
-            time: self.time(),
-            panels: &self.panels(),
-            params: params(self.chosen),
-            results: results(self.recorded),
-            equations: &report::text(model.equations()),
-            settings: self.settings(),
-            warnings: model.warnings().iter().map(ToString::to_string).collect(),
-            ended_early: self.ended_early(),
-        }))
+        let mut report = Report::new(model.name().replace('_', " "));
+        report.words.clone_from(&model.equations().doc);
+        let mut mechanism: Vec<Block> = self.ended_early().map(Block::Notice).into_iter().collect();
+        mechanism.push(Block::mechanism(&mut assembled));
+        let mut motion: Vec<Block> = self.cycle(&mut assembled).into_iter().collect();
+        motion.push(Block::Figure(Figure {
+            graphic: self.graphic(),
+            caption: String::new(),
+            table: None,
+        }));
+        report.sections = vec![
+            Section::new("Mechanism", mechanism),
+            Section::new("Motion", motion),
+            Section::new(
+                "Numbers",
+                [Block::Table(results(self.recorded), String::new())],
+            ),
+            Section::new(
+                "Settings",
+                [Block::Beside(vec![
+                    Section::new("Parameters", [Block::params(&self.chosen.design)]),
+                    Section::new("Run", [Block::Facts(self.settings())]),
+                ])],
+            ),
+        ];
+        let warnings = model.warnings().iter();
+        let warnings: Vec<Block> = warnings.map(|w| Block::Code(w.to_string())).collect();
+        if !warnings.is_empty() {
+            report.sections.push(Section::new("Warnings", warnings));
+        }
+        report.sections.push(Section::new(
+            "Equations of motion",
+            [Block::equations(model)],
+        ));
+        Ok(report.html())
     }
 
-    fn time(&self) -> &[f64] {
-        self.recorded.columns.first().map_or(&[], Vec::as_slice)
-    }
-
-    fn panels(&self) -> Vec<Panel> {
-        // First comes time, then states, then outputs.
+    /// The mechanism over the last cycle of its drive, over the whole run if nothing repeats.
+    /// A run that ends where a loop no longer closes has a page without it.
+    fn cycle(&self, assembled: &mut Assembled) -> Option<Block> {
         let states = self.chosen.design.model().equations().states.len();
+        let (times, rest) = self.recorded.columns.split_first()?;
+        let (begin, end) = (*times.first()?, *times.last()?);
+        let from = match assembled.period() {
+            Some(period) => begin.max(end - period),
+            None => begin,
+        };
+        let columns: Vec<&[f64]> = rest.iter().take(states).map(Vec::as_slice).collect();
+        let motion = Motion::new(assembled, times, &columns, [from, end]);
+        Some(Block::Motion(Box::new(motion.ok()??)))
+    }
+
+    fn graphic(&self) -> Graphic {
+        // First comes time, then states, then outputs.
+        let model = self.chosen.design.model();
+        let states = model.equations().states.len();
         let headings = self.recorded.headings.iter();
         let columns: Vec<Column> = headings
             .zip(&self.recorded.columns)
@@ -80,7 +108,8 @@ impl Portrait<'_> {
                 values: values.clone(),
             })
             .collect();
-        choose(&columns)
+        let time = self.recorded.columns.first().map_or(&[][..], Vec::as_slice);
+        Graphic::Chart(chart(model.name(), time, &columns))
     }
 
     fn ended_early(&self) -> Option<String> {
@@ -88,13 +117,13 @@ impl Portrait<'_> {
             Ok(summary) => match &summary.ending {
                 Ending::Stopped(why) => Some(format!(
                     "Ended at {}: {why}",
-                    scale::with_unit(summary.end, "s", 6)
+                    with_unit(summary.end, "s", 6)
                 )),
                 Ending::Complete | Ending::Interrupted | Ending::Failed => None,
             },
             Err(breakdown) => Some(format!(
                 "The run failed at {}: {}",
-                scale::with_unit(breakdown.time, "s", 6),
+                with_unit(breakdown.time, "s", 6),
                 breakdown.message
             )),
         }
@@ -114,14 +143,14 @@ impl Portrait<'_> {
 
     /// How the run was made.
     fn settings(&self) -> Vec<(String, String)> {
-        let seconds = |value| scale::with_unit(value, "s", 6);
+        let seconds = |value| with_unit(value, "s", 6);
         let arguments = self.arguments;
         let method = match arguments.dt {
             Some(step) => format!("Runge–Kutta of order 4, steps of {}", seconds(step)),
             None => format!(
                 "{}, relative tolerance {}",
                 self.adaptive_method(),
-                scale::number(arguments.rtol, 6)
+                number(arguments.rtol, 6)
             ),
         };
         let rows = match arguments.row_interval() {
@@ -140,7 +169,7 @@ impl Portrait<'_> {
         }
         for (index, value) in &self.chosen.inputs {
             let input = &self.chosen.design.model().inputs()[*index];
-            let held = scale::with_unit(*value, &input.unit, 8);
+            let held = with_unit(*value, &input.unit, 8);
             settings.push((format!("input {}", input.name), held));
         }
         if let Ok(summary) = self.outcome {
@@ -159,53 +188,35 @@ impl Portrait<'_> {
     }
 }
 
-fn params(chosen: &Chosen) -> Vec<Row> {
-    let model = chosen.design.model();
-    let dimensions = model.equations().params.iter().map(|param| param.dimension);
-    model
-        .params()
-        .iter()
-        .zip(dimensions)
-        .zip(chosen.design.values())
-        .map(|((param, dimension), &value)| Row {
-            name: param.name.to_string(),
-            value: match dimension.mark() {
-                Mark::Frequency => scale::with_unit(value, "Hz", 10),
-                Mark::AngularRate => scale::with_unit(value, "rad/s", 10),
-                Mark::Plain => scale::with_unit(value, &param.unit, 10),
-            },
-            meaning: param.meaning.to_string(),
-            changed: param.start != Some(value),
-        })
-        .collect()
-}
-
-fn results(recorded: &Recorded) -> Vec<[String; 6]> {
+fn results(recorded: &Recorded) -> Table {
     let span = recorded.span();
-    let columns = recorded.headings.iter().zip(&recorded.sums).skip(1);
-    columns
-        .map(|(heading, sum)| {
-            let size = sum.least.abs().max(sum.greatest.abs());
-            let unit = if heading.unit == "rad" && size > LARGE_ANGLE {
-                scale::degrees()
-            } else {
-                scale::display_unit(&heading.unit, size)
-            };
-            let cell = |value: f64| {
-                let number = scale::number(value / unit.factor, 6);
-                match unit.name.as_str() {
-                    "" | "°" => number + &unit.name,
-                    name => format!("{number} {name}"),
-                }
-            };
-            [
-                heading.name.to_string(),
-                cell(sum.first),
-                cell(sum.last),
-                cell(sum.least),
-                cell(sum.greatest),
-                cell(sum.mean(span)),
-            ]
-        })
-        .collect()
+    let heads = ["", "start", "end", "least", "greatest", "mean"];
+    let mut columns: [Vec<String>; 6] = Default::default();
+    for (heading, sum) in recorded.headings.iter().zip(&recorded.sums).skip(1) {
+        let size = sum.least.abs().max(sum.greatest.abs());
+        let unit = if heading.unit == "rad" && size > LARGE_ANGLE {
+            degrees()
+        } else {
+            display_unit(&heading.unit, size)
+        };
+        let cell = |value: f64| {
+            let number = number(value / unit.factor, 6);
+            match unit.name.as_str() {
+                "" | "°" => number + &unit.name,
+                name => format!("{number}\u{a0}{name}"),
+            }
+        };
+        let values = [sum.first, sum.last, sum.least, sum.greatest, sum.mean(span)];
+        columns[0].push(heading.name.to_string());
+        for (column, value) in columns[1..].iter_mut().zip(values) {
+            column.push(cell(value));
+        }
+    }
+    Table {
+        columns: heads
+            .into_iter()
+            .zip(columns)
+            .map(|(head, words)| TableColumn::words(head, words))
+            .collect(),
+    }
 }

@@ -4,12 +4,13 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use flexure::picture::with_unit;
 use flexure::runtime::simulate::{BreakdownKind, Ending, Integrator, Simulation, simulate};
 use flexure::runtime::system::System;
 
 use super::Failure;
-use super::output::{self, OutputFile, cannot_write, same_file};
-use super::plot::scale;
+use super::charts;
+use super::output::{self, OutputFile, cannot_write};
 use super::portrait::Portrait;
 use super::recording::Recording;
 use super::settings::{Chosen, Settings, non_negative_time, time, tolerance};
@@ -53,7 +54,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
     /// Picture of the motion (.svg), or a page with the mechanism and its equations (.html)
-    #[arg(long, value_name = "OUT.svg|.html", value_parser = picture)]
+    #[arg(long, value_name = "OUT.svg|.html", value_parser = charts::path)]
     plot: Option<PathBuf>,
 }
 
@@ -82,14 +83,6 @@ impl From<Method> for Integrator {
 const DEFAULT_ROWS: f64 = 2000.0;
 /// Stands for standard output.
 const STDOUT: &str = "-";
-
-fn picture(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    match path.extension().and_then(|extension| extension.to_str()) {
-        Some("svg" | "html") => Ok(path),
-        _ => Err("a picture is a file that ends in .svg or .html".to_owned()),
-    }
-}
 
 /// Does it.
 ///
@@ -196,13 +189,7 @@ fn check_files(arguments: &Arguments) -> Result<(), Failure> {
     for path in [&arguments.output, &arguments.plot].into_iter().flatten() {
         output::spare_model(path, model)?;
     }
-    match (&arguments.output, &arguments.plot) {
-        (Some(output), Some(plot)) if same_file(output, plot) => Err(Failure::usage(format!(
-            "`{}` cannot be both the table and the picture",
-            plot.display()
-        ))),
-        _ => Ok(()),
-    }
+    charts::keep_apart(arguments.output.as_deref(), arguments.plot.as_deref())
 }
 
 fn simulation<'s, S: System>(
@@ -230,8 +217,7 @@ fn simulation<'s, S: System>(
 
 impl Arguments {
     fn wants_page(&self) -> bool {
-        let extension = self.plot.as_ref().and_then(|path| path.extension());
-        extension.is_some_and(|extension| extension == "html")
+        self.plot.as_deref().is_some_and(charts::is_page)
     }
 
     /// Time between rows in s; `None` for a row per step.
@@ -244,5 +230,5 @@ impl Arguments {
 }
 
 fn seconds(value: f64) -> String {
-    scale::with_unit(value, "s", 6)
+    with_unit(value, "s", 6)
 }

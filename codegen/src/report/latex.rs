@@ -2,7 +2,7 @@
 
 use flexure_model_dsl::equations::{Equations, Line};
 use flexure_model_dsl::notation::escape_latex;
-use flexure_model_dsl::symbolic::{Graph, Style};
+use flexure_model_dsl::symbolic::{Expr, Graph, Style};
 
 use super::{one_line, sign, width};
 
@@ -63,13 +63,13 @@ pub(super) fn markdown(equations: &Equations) -> String {
     out
 }
 
-enum Block<'a> {
+pub(super) enum Block<'a> {
     Words(&'a str),
     Mathematics(&'a [Line]),
 }
 
 /// Words, and runs of equations.
-fn blocks(lines: &[Line]) -> Vec<Block<'_>> {
+pub(super) fn blocks(lines: &[Line]) -> Vec<Block<'_>> {
     lines
         .chunk_by(|a, b| !matches!(a, Line::Text(_)) && !matches!(b, Line::Text(_)))
         .map(|chunk| match chunk {
@@ -77,6 +77,12 @@ fn blocks(lines: &[Line]) -> Vec<Block<'_>> {
             _ => Block::Mathematics(chunk),
         })
         .collect()
+}
+
+/// Whether an equation takes one line: it has one term, or is short in plain text.
+pub(super) fn is_short(graph: &Graph, left: &str, right: Expr) -> bool {
+    let terms = graph.terms(right, Style::Text);
+    terms.len() < 2 || width(left) + 3 + width(&one_line(&terms, Style::Text)) <= LINE
 }
 
 /// The rows of an alignment.
@@ -98,8 +104,7 @@ fn rows(graph: &Graph, lines: &[Line]) -> String {
                     format!(r" && \text{{{}}}", words_in_latex(note).trim_end())
                 };
                 let terms = graph.terms(*right, Style::Latex);
-                let plain = one_line(&graph.terms(*right, Style::Text), Style::Text);
-                if terms.len() < 2 || width(text) + 3 + width(&plain) <= LINE {
+                if is_short(graph, text, *right) {
                     let right = one_line(&terms, Style::Latex);
                     rows.push(format!("{latex} &= {right}{note}"));
                     continue;
@@ -161,7 +166,7 @@ fn words_in_markdown(words: &str) -> String {
 }
 
 /// Pieces of words and of code (between two backticks on one line), in turn.
-fn code_and_words(words: &str) -> Vec<(bool, &str)> {
+pub(super) fn code_and_words(words: &str) -> Vec<(bool, &str)> {
     let mut pieces = Vec::new();
     let mut rest = words;
     while let Some(open) = rest.find('`') {

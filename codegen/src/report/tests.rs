@@ -105,3 +105,69 @@ fn markdown_text() {
     assert!(!markdown.contains("<b>"));
     insta::assert_snapshot!(markdown);
 }
+
+/// Reads as XML, with nothing left of LaTeX and no word taken for markup.
+fn well_formed(mathml: &str) {
+    let page = format!("<div>{mathml}</div>");
+    let document = match roxmltree::Document::parse(&page) {
+        Ok(document) => document,
+        Err(why) => {
+            let line = page.lines().nth(why.pos().row as usize - 1).unwrap_or("");
+            panic!("{why}: {line}");
+        }
+    };
+    for node in document.descendants() {
+        assert!(
+            !["merror", "b", "input"].contains(&node.tag_name().name()),
+            "{mathml}"
+        );
+        if let Some(text) = node.text()
+            && node.ancestors().any(|n| n.tag_name().name() == "math")
+        {
+            assert!(!text.contains(['\\', '$', '^', '_']), "{text}");
+        }
+        // A formula that could not be translated stands as code in a cell.
+        let is_cell = node.tag_name().name() == "td" && node.attribute("class") != Some("note");
+        let has_code = node
+            .children()
+            .any(|child| child.tag_name().name() == "code");
+        assert!(
+            !(is_cell && has_code),
+            "{:?}",
+            node.descendants().find_map(|n| n.text())
+        );
+    }
+}
+
+#[test]
+fn mathml_fragment() {
+    let mathml = mathml(&unusual());
+    well_formed(&mathml);
+    insta::assert_snapshot!(mathml);
+}
+
+#[test]
+fn mathml_of_all_models() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../models");
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "flex")
+        })
+        .collect();
+    files.sort();
+    assert!(files.len() > 10);
+    for path in files {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let file = path.display().to_string();
+        let beside = |name: &str| {
+            std::fs::read_to_string(path.with_file_name(name)).map_err(|why| why.to_string())
+        };
+        let (equations, _) = compile(Source::new(file, text), &beside).unwrap();
+        let mathml = mathml(&equations);
+        assert!(mathml.contains("<math"));
+        well_formed(&mathml);
+    }
+}

@@ -147,6 +147,7 @@ pub fn slider_crank() -> Equations {
             name: "motor".to_owned(),
             symbol: torque,
             start: zero,
+            rate: None,
             dimension: Dimension::default(),
             doc: "torque on the crank".to_owned(),
         }],
@@ -231,6 +232,7 @@ pub fn slider_crank() -> Equations {
                 turning: true,
             },
         ],
+        periodic: Vec::new(),
         kinks: vec![Kink {
             name: "drive".to_owned(),
             next: next_time,
@@ -297,6 +299,7 @@ pub fn slider_crank() -> Equations {
         report: vec![],
         summary: vec![],
         drawing: Drawing::default(),
+        moving: Drawing::default(),
         graph,
     }
 }

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use flexure_runtime::diagnostic::Diagnostic;
 
-use crate::equations::{Discrete, Equations, Event, Kink, Line, Shown, ShownUnit};
+use crate::equations::{Discrete, Equations, Event, Kink, Line, Periodic, Shown, ShownUnit};
 use crate::model::{BodyId, BodyKind, EnergyKind, Measure};
 use crate::symbolic::{Expr, Function, Symbol};
 
@@ -80,6 +80,12 @@ impl Derivation<'_> {
 
     /// Drives: their memory, values, rates and kinks.
     pub(super) fn drives(&mut self) {
+        for input in &self.model.inputs {
+            if let Some(rate) = input.rate {
+                let rate = self.g.of(rate);
+                self.drive_rates.insert(input.symbol, rate);
+            }
+        }
         let mut lines = Vec::new();
         for drive in &self.model.drives {
             self.conditions(&drive.waveform.conditions, drive.span);
@@ -153,6 +159,7 @@ impl Derivation<'_> {
         self.warn_of_unbooked_jumps();
         let summary = self.summary(inertia);
         let drawing = self.drawing();
+        let moving = self.moving_drawing();
         self.constants_section();
         if !self.errors.is_empty() {
             return Err(self.errors);
@@ -177,6 +184,15 @@ impl Derivation<'_> {
                 return Err(vec![error]);
             }
         };
+        let drives = self.model.drives.iter();
+        let periodic = drives
+            .filter_map(|drive| {
+                Some(Periodic {
+                    name: drive.name.clone(),
+                    frequency: drive.waveform.frequency?,
+                })
+            })
+            .collect();
         Ok(Equations {
             name: self.model.name.clone(),
             doc: self.model.doc.clone(),
@@ -189,6 +205,7 @@ impl Derivation<'_> {
             directions: self.directions,
             states: motion.states,
             discretes: self.discretes,
+            periodic,
             kinks: self.kinks,
             events: self.events,
             outputs,
@@ -199,6 +216,7 @@ impl Derivation<'_> {
             report: self.report,
             summary,
             drawing,
+            moving,
             graph: self.g,
         })
     }

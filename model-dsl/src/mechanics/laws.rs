@@ -55,12 +55,14 @@ pub(crate) struct InternalState {
 }
 
 /// Quantities of a contact that others may ask for.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) struct ContactValues {
     pub friction: Expr,
     pub normal: Expr,
     pub slip: Expr,
-    /// Position of its first internal state in [`Laws::states`].
+    /// The internal states of its friction law.
+    pub states: Vec<Expr>,
+    /// Position of the first of them in [`Laws::states`], where they are integrated.
     pub first_state: usize,
 }
 

@@ -63,10 +63,7 @@ impl Derivation<'_> {
                 Measure::HingeTorque(hinge) => laws.hinges[hinge].1,
                 Measure::SpringExtension(spring) => laws.springs[spring].0,
                 Measure::SpringForce(spring) => laws.springs[spring].1,
-                Measure::ContactState(contact, state) => {
-                    let symbol = laws.states[laws.contacts[contact].first_state + state].symbol;
-                    self.g.of(symbol)
-                }
+                Measure::ContactState(contact, state) => laws.contacts[contact].states[state],
                 Measure::ContactFriction(contact) => laws.contacts[contact].friction,
                 Measure::ContactNormal(contact) => laws.contacts[contact].normal,
                 Measure::ContactSlip(contact) => laws.contacts[contact].slip,

@@ -1,14 +1,27 @@
-//! Picture: the mechanism's shape in the assembled configuration.
+//! Picture: the mechanism's shape in the assembled configuration and in motion.
+
+use std::collections::HashMap;
 
 use crate::equations::{Drawing, DrawnContact, DrawnEnd, DrawnSpring, Mark, Shape};
 use crate::model::{Axis, BodyId, BodyKind, End, GROUND, Local};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 
 use super::Derivation;
 
 impl Derivation<'_> {
-    /// Everything that a drawing to scale shows, as expressions of params.
+    /// Everything that a drawing to scale shows, as assembled: as expressions of params.
     pub(super) fn drawing(&mut self) -> Drawing {
+        let map = self.assembled_map();
+        self.drawing_with(&map)
+    }
+
+    /// The same at any state. Slides without a place have one, in which only changes matter.
+    pub(super) fn moving_drawing(&mut self) -> Drawing {
+        self.drawing_with(&HashMap::new())
+    }
+
+    /// The drawing with symbols replaced; none are replaced in one that moves.
+    fn drawing_with(&mut self, map: &HashMap<Symbol, Expr>) -> Drawing {
         let mut drawing = Drawing::default();
         let zero = self.g.zero();
         for body in 1..self.model.bodies.len() {
@@ -32,15 +45,15 @@ impl Derivation<'_> {
                     }
                     let corners = corners
                         .into_iter()
-                        .map(|at| self.assembled_at(body, at))
+                        .map(|at| self.located(body, at, map))
                         .collect();
                     drawing.shapes.push(Shape::Link(name, corners));
                 }
                 BodyKind::Slide(_) => {
-                    let at = self
-                        .has_place(body)
-                        .then(|| self.assembled_at(body, Local::Cartesian(zero, zero)));
-                    let direction = self.assembled_guide(body);
+                    let is_shown = self.has_place(body) || map.is_empty();
+                    let at =
+                        is_shown.then(|| self.located(body, Local::Cartesian(zero, zero), map));
+                    let direction = self.turned_guide(body, map);
                     drawing.shapes.push(Shape::Slide(name, at, direction));
                 }
                 BodyKind::Ground => {}
@@ -54,7 +67,7 @@ impl Derivation<'_> {
                 .filter(|(body, _)| !self.model.is_traced(*body));
             let is_joint = joins.count() > 1;
             let (body, at) = pin.members[0];
-            let at = self.assembled_at(body, at);
+            let at = self.located(body, at, map);
             drawing.marks.push(Mark {
                 name: pin.name,
                 at,
@@ -63,7 +76,7 @@ impl Derivation<'_> {
         }
         for point in self.model.points.clone() {
             if drawing.marks.iter().all(|mark| mark.name != point.name) {
-                let at = self.assembled_at(point.body, point.at);
+                let at = self.located(point.body, point.at, map);
                 drawing.marks.push(Mark {
                     name: point.name,
                     at,
@@ -75,13 +88,13 @@ impl Derivation<'_> {
             let axis = match spring.axis {
                 Axis::Line => None,
                 Axis::Fixed(direction) => Some(direction),
-                Axis::Guide(slide) => Some(self.assembled_guide(slide)),
+                Axis::Guide(slide) => Some(self.turned_guide(slide, map)),
             };
             drawing.springs.push(DrawnSpring {
                 name: spring.name,
                 ends: [
-                    self.drawn_end(&spring.first),
-                    self.drawn_end(&spring.second),
+                    self.drawn_end(&spring.first, map),
+                    self.drawn_end(&spring.second, map),
                 ],
                 axis,
                 stack: spring.stack,
@@ -91,10 +104,10 @@ impl Derivation<'_> {
             drawing.contacts.push(DrawnContact {
                 name: contact.name,
                 ends: [
-                    self.drawn_end(&contact.first),
-                    self.drawn_end(&contact.second),
+                    self.drawn_end(&contact.first, map),
+                    self.drawn_end(&contact.second, map),
                 ],
-                along: self.assembled_guide(contact.guide),
+                along: self.turned_guide(contact.guide, map),
                 normal: contact.normal,
             });
         }
@@ -115,28 +128,23 @@ impl Derivation<'_> {
         }
     }
 
-    fn drawn_end(&mut self, end: &End) -> DrawnEnd {
+    fn drawn_end(&mut self, end: &End, map: &HashMap<Symbol, Expr>) -> DrawnEnd {
         let at = end.at.filter(|_| self.has_place(end.body));
         DrawnEnd {
             body: self.model.bodies[end.body].name.clone(),
-            at: at.map(|at| self.assembled_at(end.body, at)),
+            at: at.map(|at| self.located(end.body, at, map)),
         }
     }
 
-    fn assembled_guide(&mut self, slide: BodyId) -> [Expr; 2] {
+    fn turned_guide(&mut self, slide: BodyId, map: &HashMap<Symbol, Expr>) -> [Expr; 2] {
         let guide = self.guide(slide);
         let direction = self.position(&guide);
-        self.assembled(direction)
+        direction.map(|component| self.g.substitute(component, map))
     }
 
-    fn assembled_at(&mut self, body: BodyId, at: Local) -> [Expr; 2] {
+    fn located(&mut self, body: BodyId, at: Local, map: &HashMap<Symbol, Expr>) -> [Expr; 2] {
         let place = self.place(body, at);
         let position = self.position(&place);
-        self.assembled(position)
-    }
-
-    fn assembled(&mut self, position: [Expr; 2]) -> [Expr; 2] {
-        let map = self.assembled_map();
-        position.map(|component| self.g.substitute(component, &map))
+        position.map(|component| self.g.substitute(component, map))
     }
 }

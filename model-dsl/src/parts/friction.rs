@@ -147,6 +147,7 @@ pub fn lugre(
         ],
         force,
         energy,
+        holds: g.mul(mu_s, f_n),
         conditions,
     }
 }

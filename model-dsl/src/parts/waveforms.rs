@@ -181,7 +181,12 @@ fn periodic(
             jumps,
         }),
         memory: vec![memory("cycle", cycle, zero), memory(place, piece, first)],
+        full: pieces
+            .iter()
+            .map(|piece| piece.to)
+            .find(|to| !g.is_zero(*to)),
         conditions: vec![Condition::above_zero(frequency, "the frequency").in_unit("Hz")],
+        frequency: Some(frequency),
     }
 }
 
@@ -237,7 +242,9 @@ pub fn sine(
     let sine = g.sin(angle);
     let swing = g.mul(amplitude, sine);
     Waveform {
+        full: Some(g.add(offset, amplitude)),
         conditions: vec![Condition::not_below_zero(frequency, "the frequency").in_unit("Hz")],
+        frequency: Some(frequency),
         ..smooth(g.add(offset, swing))
     }
 }
@@ -247,7 +254,9 @@ fn smooth(value: Expr) -> Waveform {
         memory: Vec::new(),
         value,
         kink: None,
+        full: None,
         conditions: Vec::new(),
+        frequency: None,
     }
 }
 
@@ -256,7 +265,10 @@ fn smooth(value: Expr) -> Waveform {
 /// 0 before the time `at`, `height` from then on.
 pub fn step(g: &mut Graph, name: &str, height: Expr, at: Expr) -> Waveform {
     let zero = g.zero();
-    once(g, name, &[zero, height], &[at], true)
+    Waveform {
+        full: Some(height),
+        ..once(g, name, &[zero, height], &[at], true)
+    }
 }
 
 /// 0 before the time `start`, then growing by `rate` per second: for `duration` seconds, after
@@ -278,6 +290,7 @@ pub fn ramp(
     let end = g.add(start, duration);
     let top = g.mul(rate, duration);
     let mut waveform = once(g, name, &[zero, rising, top], &[start, end], false);
+    waveform.full = Some(top);
     waveform.conditions.push(Condition::not_below_zero(
         duration,
         "the `duration` of the ramp",
@@ -360,7 +373,9 @@ fn once(g: &mut Graph, name: &str, values: &[Expr], ends: &[Expr], jumps: bool) 
             jumps,
         }),
         memory: vec![memory("piece", piece, initial)],
+        full: None,
         conditions: Vec::new(),
+        frequency: None,
     }
 }
 
@@ -416,7 +431,9 @@ pub fn table(g: &mut Graph, time: Symbol, name: &str, samples: &[(f64, f64)]) ->
             updates,
             jumps,
         }),
+        full: None,
         conditions: Vec::new(),
+        frequency: None,
     })
 }
 

@@ -4,7 +4,7 @@ use super::calls::Given;
 use super::expression::Scope;
 use super::functions::LUGRE;
 use super::{Reported, Resolved, Resolver, wanted};
-use crate::model::{BodyKind, Contact, End, Friction, NormalForce};
+use crate::model::{BodyKind, Contact, ContactRole, End, Friction, NormalForce};
 use crate::parts::friction::{LugreParameters, lugre};
 use crate::symbolic::Expr;
 use crate::syntax::tree::{self, Expression, ExpressionKind, File, ItemKind};
@@ -112,6 +112,7 @@ impl Resolver<'_> {
             normal,
             normal_force,
             friction: friction?,
+            role: ContactRole::default(),
             span: name.span,
         })
     }

@@ -75,6 +75,7 @@ impl Resolver<'_> {
                 name: declaration.name.text,
                 symbol,
                 start: value.expr,
+                rate: None,
                 dimension,
                 doc: declaration.doc,
             });

@@ -138,6 +138,15 @@ impl<'a, S: System + ?Sized, M: Method> Walk<'a, S, M> {
         }
     }
 
+    /// The same from a start that is this far off, state by state.
+    pub fn starting_off(mut self, offsets: &[f64]) -> Self {
+        let states = self.flow.states;
+        for (x, offset) in self.stand.x[..states].iter_mut().zip(offsets) {
+            *x += offset;
+        }
+        self
+    }
+
     /// The same, with steps that end exactly at each of these times, where samples are taken.
     pub fn stopping(mut self, times: &'a [f64]) -> Self {
         self.stops = Stops::at(times);

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::equations::{Discrete, Event, Shown, ShownUnit};
-use crate::model::{Contact, End, Local, NormalForce};
+use crate::model::{BodyKind, Contact, ContactRole, End, GROUND, Local, NormalForce};
 use crate::symbolic::{Expr, Function};
 
 use super::super::Derivation;
@@ -39,6 +39,18 @@ impl Derivation<'_> {
         };
 
         let first_state = laws.states.len();
+        if contact.role == ContactRole::LeftOut {
+            self.define(friction.slip, slip, "");
+            let (zero, slip) = (self.g.zero(), self.g.of(friction.slip));
+            laws.contacts.push(ContactValues {
+                friction: zero,
+                normal: zero,
+                slip,
+                states: vec![zero; friction.states.len()],
+                first_state,
+            });
+            return;
+        }
         let normal = self.normal_force(&contact, &places, &suffix, first_state, laws);
         self.define(
             friction.normal,
@@ -53,16 +65,39 @@ impl Derivation<'_> {
         self.equation_line(&mut laws.lines, friction.normal, normal.force, "");
         self.equation_line(&mut laws.lines, friction.slip, slip, "");
 
-        for (symbol, value) in &friction.definitions {
-            self.define(*symbol, *value, "");
-            self.equation_line(&mut laws.lines, *symbol, *value, "");
+        let sticks = contact.role == ContactRole::Sticks;
+        if sticks {
+            let slipped = self.slipped(&contact, &places, &along);
+            for state in &friction.states {
+                self.define(state.symbol, slipped, state.meaning.clone());
+                self.attach_gradient(state.symbol, slipped);
+            }
+        }
+        let is_rate = |symbol| {
+            let rates = friction.states.iter().map(|state| state.rate);
+            rates
+                .filter_map(|rate| self.g.as_symbol(rate))
+                .any(|rate| rate == symbol)
+        };
+        let definitions: Vec<_> = friction
+            .definitions
+            .iter()
+            .map(|&(symbol, value)| match sticks && is_rate(symbol) {
+                true => (symbol, slip),
+                false => (symbol, value),
+            })
+            .collect();
+        for (symbol, value) in definitions {
+            self.define(symbol, value, "");
+            self.equation_line(&mut laws.lines, symbol, value, "");
         }
         let words = format!("friction force of `{}` on its second end", contact.name);
         let force = self.named_force(laws, &format!("F_f{suffix}"), friction.force, &words);
         let resisting = self.g.neg(force);
         self.push_forces(laws, resisting, &slip_levers);
 
-        for state in &friction.states {
+        let integrated = if sticks { &[] } else { &friction.states[..] };
+        for state in integrated {
             let rate = match normal.closed {
                 Some(closed) => {
                     let half = self.g.ratio(1, 2);
@@ -95,12 +130,45 @@ impl Derivation<'_> {
         laws.dissipated.push(self.g.sub(power, storing));
         laws.potential.push(friction.energy);
         let normal_value = self.g.of(friction.normal);
+        let states = friction.states.iter();
+        let states = states.map(|state| self.g.of(state.symbol)).collect();
         laws.contacts.push(ContactValues {
             friction: force,
             normal: normal_value,
             slip: slip_value,
+            states,
             first_state,
         });
+    }
+
+    /// How far the first side has moved against the second along the guide since assembly.
+    fn slipped(&mut self, contact: &Contact, places: &[Vec<Turned>; 2], along: &[Turned]) -> Expr {
+        if along.iter().all(|part| part.link.is_none()) {
+            let [first, second] = [0, 1].map(|side| self.displacement(&places[side], along));
+            return self.g.sub(first, second);
+        }
+        // Along a guide that turns the travel tells it, between the slide and what carries it.
+        let slide = contact.guide;
+        let carrier = match &self.model.bodies[slide].kind {
+            BodyKind::Slide(slide) => slide.carrier,
+            BodyKind::Link(_) | BodyKind::Ground => GROUND,
+        };
+        let travel = self.variable(slide).shift;
+        match (contact.first.body, contact.second.body) {
+            (first, second) if first == carrier && second == slide => self.g.neg(travel),
+            (first, second) if first == slide && second == carrier => travel,
+            _ => {
+                self.fault(
+                    contact.span,
+                    format!(
+                        "`{}` slides along a guide that turns, between bodies that are not this slide and its carrier: it cannot be held",
+                        contact.name
+                    ),
+                    "leave it out",
+                );
+                travel
+            }
+        }
     }
 
     fn contact_place(&mut self, end: &End) -> Vec<Turned> {
@@ -238,7 +306,11 @@ impl Derivation<'_> {
         let touching = self
             .g
             .function(Function::IfPositive, &[margin, minus, pressed]);
-        let states = (0..contact.friction.states.len())
+        let integrated = match contact.role {
+            ContactRole::Slides => contact.friction.states.len(),
+            ContactRole::Sticks | ContactRole::LeftOut => 0,
+        };
+        let states = (0..integrated)
             .map(|i| (2 * self.coordinates.len() + first_state + i, zero))
             .collect();
         self.events.push(Event {

@@ -60,6 +60,7 @@ where
         settings: Settings::default(),
         until: Box::new(|_| 0.0),
         samples: Box::new(|_| Vec::new()),
+        offsets: Box::new(|_| Vec::new()),
         threads: 0,
     }
 }
@@ -70,6 +71,7 @@ pub struct Ensemble<'a, I> {
     settings: Settings,
     until: Box<dyn Fn(usize) -> f64 + 'a>,
     samples: Box<dyn Fn(usize) -> Vec<f64> + 'a>,
+    offsets: Box<dyn Fn(usize) -> Vec<f64> + 'a>,
     threads: usize,
 }
 
@@ -138,6 +140,13 @@ where
     /// Takes samples of run `index`, counted from 0, at `times(index)`, in s, rising.
     pub fn samples_each(mut self, times: impl Fn(usize) -> Vec<f64> + 'a) -> Self {
         self.samples = Box::new(times);
+        self
+    }
+
+    /// Starts run `index`, counted from 0, a little off: `offsets(index)` are added to the first of
+    /// its states. So runs tell whether small differences grow.
+    pub fn offsets_each(mut self, offsets: impl Fn(usize) -> Vec<f64> + 'a) -> Self {
+        self.offsets = Box::new(offsets);
         self
     }
 
@@ -231,6 +240,7 @@ where
                 system,
                 until: (self.until)(first + index),
                 samples: (self.samples)(first + index),
+                offsets: (self.offsets)(first + index),
             })
             .collect()
     }

@@ -32,6 +32,8 @@ pub(super) struct Job<S> {
     pub system: Result<S, Diagnostic>,
     pub until: f64,
     pub samples: Vec<f64>,
+    /// How far off its start state is, state by state.
+    pub offsets: Vec<f64>,
 }
 
 /// What comes of a trajectory.
@@ -166,6 +168,7 @@ impl<'q, S: LaneSystem> Worker<'q, S> {
         };
         Ok(
             Walk::new(flow, method, pace, job.until, nobody, settings.most_steps)
+                .starting_off(&job.offsets)
                 .stopping(&job.samples),
         )
     }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use flexure::Point;
+use crate::assembled::Point;
 
 use super::svg::pixel;
 
@@ -52,12 +52,11 @@ pub fn polygon(corners: &[Point]) -> String {
     path + "Z"
 }
 
-/// A zigzag with straight ends, which take what is too long for it.
-pub fn coil(a: Point, b: Point) -> String {
+/// A zigzag of half turns with straight ends, which take what is too long for it.
+pub fn coil(a: Point, b: Point, turns: i32) -> String {
     let long = length(minus(b, a));
     let side = normal(unit(minus(b, a)));
     let coiled = (0.7 * long).min(110.0) / long;
-    let turns = ((coiled * long / 8.0).round() as i32).clamp(4, 12);
     let start = 0.5 - coiled / 2.0;
     let mut path = format!("M{} {}", pixel(a[0]), pixel(a[1]));
     let mut to = |p: Point| {

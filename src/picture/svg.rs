@@ -2,23 +2,35 @@
 
 use std::borrow::Cow;
 
-/// Number of colours for curves; `var(--curve0)` and so on in the style sheets.
+/// Number of colours for curves; `var(--curve0)` and so on in the style sheets. They differ also to
+/// eyes that take red for green, and in lightness.
 pub const CURVE_COLOURS: usize = 6;
+/// Number of colours of levels that have an order: `var(--level0)` is the lowest and faintest.
+pub const LEVEL_COLOURS: usize = 7;
 
 /// Colours and text of a picture that stands alone, on white paper.
 pub const PAPER: &str = "\
---curve0:#1f6fb4;--curve1:#d1602b;--curve2:#2b8a57;--curve3:#8a4fb0;--curve4:#b58a00;--curve5:#5d6b78;\
+--curve0:#1a5fd0;--curve1:#8a3a0c;--curve2:#1da56b;--curve3:#d9359b;--curve4:#ab890e;--curve5:#2b3139;\
+--level0:#e3a11f;--level1:#e07b2a;--level2:#cf4f4a;--level3:#a92f74;--level4:#7a1f8f;--level5:#4a1b8c;--level6:#1f1769;\
+--holds:#1b7f4f;--partly:#9a6a00;--fails:#b3261e;\
 --paper:#ffffff;--ink:#1c2530;--soft:#5b6774;--grid:#e4e8ec;--frame:#aab4be;\
 --body:#dbe7f3;--body-edge:#2d5f8f;--piezo:#f3d9c4;--piezo-edge:#a8571f;--spring:#2b8a57;--contact:#c0392b;";
 
 /// The same in the dark.
 pub const NIGHT: &str = "\
---curve0:#62aef0;--curve1:#f2915f;--curve2:#5fc48d;--curve3:#c393ea;--curve4:#dcb53d;--curve5:#9aa8b5;\
+--curve0:#3f9df5;--curve1:#d9693f;--curve2:#3fe09a;--curve3:#f75f9f;--curve4:#e8b23a;--curve5:#d3d7dd;\
+--level0:#6a5be0;--level1:#8a52d8;--level2:#b95ac6;--level3:#e06aa0;--level4:#f28a72;--level5:#f7b14f;--level6:#f6dc5a;\
+--holds:#58c98f;--partly:#e0b040;--fails:#f28b82;\
 --paper:#14191f;--ink:#e6ebf0;--soft:#9aa7b4;--grid:#28313a;--frame:#4a5662;\
 --body:#21364a;--body-edge:#7db3e3;--piezo:#47311f;--piezo-edge:#f2a56b;--spring:#5fc48d;--contact:#f07264;";
 
 /// Rules for the classes that pictures use.
 pub const RULES: &str = "\
+svg .mark{stroke:var(--paper);stroke-width:.8}svg .dashed{stroke-dasharray:6 4}\
+svg .band{fill:var(--soft);opacity:.13}svg .window{stroke-width:5;opacity:.55;fill:none}\
+svg .reference{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3;fill:none}\
+svg .leader{stroke:var(--frame);stroke-width:1;fill:none}svg .minor{stroke:var(--grid);stroke-width:.5;fill:none}\
+svg .failed{stroke-width:1.8;fill:none}svg .halo{paint-order:stroke;stroke:var(--paper);stroke-width:3.5px;stroke-linejoin:round}\
 svg text{font-family:Inter,'Segoe UI',Helvetica,Arial,sans-serif;font-size:12px;fill:var(--ink)}\
 svg .soft{fill:var(--soft)}svg .title{font-weight:600}svg .name{font-size:12.5px;paint-order:stroke;stroke:var(--paper);stroke-width:4px;stroke-linejoin:round}\
 svg .body-name{font-style:italic}\
@@ -102,6 +114,19 @@ pub fn thinned(values: &[f64], columns: usize, position: impl Fn(usize) -> f64) 
         start = end;
     }
     kept
+}
+
+/// About how wide a text in the pictures' size is, in pixels.
+pub fn text_width(text: &str) -> f64 {
+    text.chars()
+        .map(|c| match c {
+            'i' | 'l' | 'j' | 't' | 'f' | 'r' | '.' | ',' | ' ' | '\'' => 3.9,
+            'm' | 'w' | 'M' | 'W' => 10.0,
+            'A'..='Z' => 8.4,
+            c if (c as u32) >= 0x1100 => 12.5,
+            _ => 6.9,
+        })
+        .sum()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! (slides that only their motion matters of, ground at the far end of a spring) is placed beside
 //! what it is joined to, in the direction in which the joint acts.
 
-use flexure::{PlacedContact, Places, Point};
+use crate::assembled::{PlacedContact, Places, Point};
 
 /// A mechanism in which everything has a place, in m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -255,7 +255,7 @@ fn known_points(places: &Places) -> Vec<Point> {
 }
 
 /// The larger side of the box around the points, and a place below it.
-fn extent(points: &[Point]) -> (f64, Point) {
+pub fn extent(points: &[Point]) -> (f64, Point) {
     let Some(first) = points.first() else {
         return (0.0, [0.0; 2]);
     };
@@ -276,7 +276,7 @@ fn shifted(p: Point, direction: Point, by: f64) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use flexure::PlacedSpring;
+    use crate::assembled::PlacedSpring;
 
     fn end(body: &str, at: Option<Point>) -> (String, Option<Point>) {
         (body.to_owned(), at)

@@ -5,8 +5,9 @@
 //! states (a bristle's deflection) last. Curves share a panel when they have the same kind and unit
 //! and a similar size: a curve that a larger one would flatten gets a panel of its own.
 
-use super::scale::{self, DisplayUnit};
-use super::svg::CURVE_COLOURS;
+use std::sync::Arc;
+
+use flexure::picture::{self, Axis, Chart, Look, Series, number};
 
 /// A column of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,29 +22,9 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
-/// Curves that share an axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Panel {
-    /// What is drawn: `Position`.
-    pub title: String,
-    /// Unit of the axis.
-    pub unit: DisplayUnit,
-    /// The curves.
-    pub curves: Vec<Curve>,
-}
-
-/// A curve, in the unit of its panel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// Name in the legend.
-    pub name: String,
-    /// Number of its colour: one body keeps its colour in all panels.
-    pub colour: usize,
-    /// Values, one per row.
-    pub values: Vec<f64>,
-}
-
 const MOST_PANELS: usize = 6;
+/// Colours of pictures.
+const COLOURS: usize = 6;
 /// Fewer than there are colours.
 const MOST_CURVES: usize = 4;
 /// A curve this much smaller than the largest of its panel could not be read there.
@@ -70,8 +51,18 @@ struct Candidate {
     values: Vec<f64>,
 }
 
-/// The panels for a run, in the order from top to bottom.
-pub fn choose(columns: &[Column]) -> Vec<Panel> {
+/// The chart of a run, its panels in the order from top to bottom.
+pub fn chart(title: &str, time: &[f64], columns: &[Column]) -> Chart {
+    let time: Arc<[f64]> = time.into();
+    Chart {
+        title: title.to_owned(),
+        x: Axis::linear("time", "s"),
+        panels: choose(&time, columns),
+        ordered: false,
+    }
+}
+
+fn choose(time: &Arc<[f64]>, columns: &[Column]) -> Vec<picture::Panel> {
     let candidates = candidates(columns);
     let mut groups: Vec<(Kind, bool, Vec<Candidate>)> = Vec::new();
     for candidate in candidates {
@@ -87,11 +78,11 @@ pub fn choose(columns: &[Column]) -> Vec<Panel> {
         }
     }
     groups.sort_by_key(|(kind, _, _)| *kind);
-    let mut panels: Vec<(bool, Kind, Panel)> = Vec::new();
+    let mut panels: Vec<(bool, Kind, picture::Panel)> = Vec::new();
     for (kind, _, group) in groups {
         for cluster in clusters(group) {
             let output = cluster.iter().any(|candidate| candidate.output);
-            panels.push((output, kind, panel(cluster)));
+            panels.push((output, kind, panel(time, cluster)));
         }
     }
     while panels.len() > MOST_PANELS {
@@ -101,30 +92,30 @@ pub fn choose(columns: &[Column]) -> Vec<Panel> {
             .unwrap_or(0);
         panels.remove(least);
     }
-    let mut panels: Vec<Panel> = panels.into_iter().map(|(_, _, panel)| panel).collect();
+    let mut panels: Vec<picture::Panel> = panels.into_iter().map(|(_, _, panel)| panel).collect();
     colour(&mut panels);
     panels
 }
 
 /// Gives each owner (`stage` of `stage.x`) a colour of its own, as far as colours go; within a
 /// panel no two curves share one.
-fn colour(panels: &mut [Panel]) {
+fn colour(panels: &mut [picture::Panel]) {
     let mut owners: Vec<String> = Vec::new();
     for panel in panels {
         let mut taken = Vec::new();
-        for curve in &mut panel.curves {
+        for curve in &mut panel.series {
             let measure = curve.name.rsplit(" = ").next().unwrap_or("");
             let owner = measure.split(['.', ' ']).next().unwrap_or("");
             let known = owners.iter().position(|known| known == owner);
             let mut colour = known.unwrap_or_else(|| {
                 owners.push(owner.to_owned());
                 owners.len() - 1
-            }) % CURVE_COLOURS;
+            }) % COLOURS;
             while taken.contains(&colour) {
-                colour = (colour + 1) % CURVE_COLOURS;
+                colour = (colour + 1) % COLOURS;
             }
             taken.push(colour);
-            curve.colour = colour;
+            curve.colour = Some(colour);
         }
     }
 }
@@ -176,7 +167,7 @@ fn candidate(column: &Column, kind: Kind) -> Candidate {
     };
     let start = column.values.first().copied().unwrap_or(0.0);
     let name = if title == DEFLECTION && start != 0.0 {
-        let from = scale::number(start.to_degrees(), 6);
+        let from = number(start.to_degrees(), 6);
         format!("{} from {from}°", column.name)
     } else {
         column.name.clone()
@@ -270,28 +261,15 @@ fn clusters(group: Vec<Candidate>) -> Vec<Vec<Candidate>> {
         .collect()
 }
 
-fn panel(cluster: Vec<Candidate>) -> Panel {
-    let size = largest(cluster.iter().flat_map(|c| c.values.iter().copied()));
-    let unit = match cluster[0].unit.as_str() {
-        DEGREES => DisplayUnit {
-            factor: 1.0,
-            ..scale::degrees()
-        },
-        unit => scale::display_unit(unit, size),
-    };
-    let title = cluster[0].title.clone();
-    let curves = cluster
+fn panel(time: &Arc<[f64]>, cluster: Vec<Candidate>) -> picture::Panel {
+    let y = Axis::linear(cluster[0].title.clone(), cluster[0].unit.clone());
+    let series = cluster
         .into_iter()
-        .map(|candidate| Curve {
-            name: candidate.name,
-            colour: 0,
-            values: candidate.values.iter().map(|v| v / unit.factor).collect(),
-        })
-        .collect();
-    Panel {
-        title,
-        unit,
-        curves,
+        .map(|candidate| Series::new(candidate.name, time.clone(), candidate.values, Look::Line));
+    picture::Panel {
+        y,
+        series: series.collect(),
+        ..picture::Panel::default()
     }
 }
 
@@ -314,8 +292,12 @@ mod tests {
         }
     }
 
-    fn names(panel: &Panel) -> Vec<&str> {
-        panel.curves.iter().map(|c| c.name.as_str()).collect()
+    fn choose(columns: &[Column]) -> Vec<picture::Panel> {
+        chart("", &[0.0, 1.0], columns).panels
+    }
+
+    fn names(panel: &picture::Panel) -> Vec<&str> {
+        panel.series.iter().map(|c| c.name.as_str()).collect()
     }
 
     #[test]
@@ -332,21 +314,21 @@ mod tests {
         ]);
         let titles: Vec<_> = panels
             .iter()
-            .map(|p| format!("{} {}", p.title, p.unit.name))
+            .map(|p| format!("{} {}", p.y.label, p.y.unit))
             .collect();
         assert_eq!(
             titles,
             [
-                "Position µm",
-                "Velocity mm/s",
-                "Velocity mm/s",
-                "Deflection mrad",
-                "Internal state nm"
+                "Position m",
+                "Velocity m/s",
+                "Velocity m/s",
+                "Deflection rad",
+                "Internal state m"
             ]
         );
         assert_eq!(names(&panels[0]), ["stack.x", "stage.x"]);
         assert_eq!(names(&panels[2]), ["speed = stage.v"]);
-        assert_eq!(panels[3].curves[0].values[0], 0.0);
+        assert_eq!(panels[3].series[0].y[0], 0.0);
     }
 
     #[test]
@@ -355,8 +337,8 @@ mod tests {
             column("arm.angle", "rad", false, &[0.0, 30.0]),
             column("arm.rate", "rad/s", false, &[0.0, 3.0]),
         ]);
-        assert_eq!(panels[0].unit.name, "°");
-        assert_eq!(panels[1].title, "Angular rate");
+        assert_eq!(panels[0].y.unit, "°");
+        assert_eq!(panels[1].y.label, "Angular rate");
     }
 
     #[test]
@@ -367,8 +349,8 @@ mod tests {
             .collect();
         let panels = choose(&columns);
         assert_eq!(panels.len(), MOST_PANELS);
-        assert!(panels.iter().all(|p| p.curves.len() <= MOST_CURVES));
-        assert!(panels.iter().all(|p| p.title == "Force"));
+        assert!(panels.iter().all(|p| p.series.len() <= MOST_CURVES));
+        assert!(panels.iter().all(|p| p.y.label == "Force"));
     }
 
     #[test]

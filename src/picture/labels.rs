@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use flexure::Point;
+use crate::assembled::Point;
 
-use super::figure::text_width;
+use super::svg::text_width;
 use super::svg::{escape, pixel};
 
 /// Names and what they must not cover.

@@ -51,7 +51,8 @@ pub fn display_unit(si_unit: &str, magnitude: f64) -> DisplayUnit {
     let magnitude = magnitude.abs() / base;
     let exponent = if plain && magnitude > 0.0 && magnitude.is_finite() {
         // A hair above a power of ten still counts as that power: 0.9999999 mm is 1 mm.
-        let thousands = ((magnitude * (1.0 + 1e-9)).log10() / 3.0).floor() as i32;
+        let thousands = ((magnitude * (1.0 + 1e-9)).log10() / 3.0).floor();
+        let thousands = thousands.clamp(-5.0, 5.0) as i32;
         // 0.294 N·s/m reads better than 294 mN·s/m; velocities are at home in mm/s.
         let compound = first_end < rest.len() && rest != "m/s";
         match 3 * thousands {
@@ -155,31 +156,37 @@ fn without_trailing_zeros(text: &str) -> &str {
     }
 }
 
-/// An axis: its range and the values that get a tick, all in display units.
+/// An axis as drawn: its range and the values that get a tick, all in display units.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
-    /// Lower end.
+pub struct Scale {
+    /// Lower end; its decimal logarithm on a logarithmic scale.
     pub low: f64,
-    /// Upper end.
+    /// Upper end, likewise.
     pub high: f64,
-    /// Ticks, ascending, within the range.
-    pub ticks: Vec<f64>,
-    /// Decimals that tell the ticks apart.
-    pub decimals: usize,
+    /// Ticks, ascending, within the range, and how each is labelled; some have no label.
+    pub ticks: Vec<(f64, String)>,
+    /// Whether equal ratios take equal lengths.
+    pub logarithmic: bool,
 }
 
-impl Axis {
-    /// An axis for values from `low` to `high` with about `count` ticks; `margin` is the share of
+/// Larger numbers are not told apart in pictures, and sums of them stay numbers.
+const LARGEST: f64 = 1e300;
+/// Ranges that are smaller are none.
+const SMALLEST: f64 = 1e-300;
+
+impl Scale {
+    /// A scale for values from `low` to `high` with about `count` ticks; `margin` is the share of
     /// the range left free at each end.
-    pub fn new(low: f64, high: f64, count: usize, margin: f64) -> Self {
+    pub fn linear(low: f64, high: f64, count: usize, margin: f64) -> Self {
         let (mut low, mut high) = if low.is_finite() && high.is_finite() && low <= high {
-            (low, high)
+            (low.max(-LARGEST), high.min(LARGEST))
         } else {
             (0.0, 1.0)
         };
         let size = low.abs().max(high.abs());
-        if high - low <= 1e-9 * size || high == low {
+        if high - low <= f64::max(1e-9 * size, SMALLEST) {
             let half = if size > 0.0 { 0.1 * size } else { 1.0 };
+            let half = if half < SMALLEST { 1.0 } else { half };
             (low, high) = (low - half, high + half);
         }
         let spare = margin * (high - low);
@@ -188,26 +195,96 @@ impl Axis {
         let first = (low / step - 1e-9).ceil();
         let last = (high / step + 1e-9).floor();
         let steps = (last - first).clamp(0.0, 100.0) as usize;
-        let ticks = (0..=steps).map(|k| (first + k as f64) * step).collect();
-        let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 12.0) as usize;
+        let largest = low.abs().max(high.abs());
+        let ticks = (0..=steps)
+            .map(|k| {
+                let tick = (first + k as f64) * step;
+                (tick, tick_label(tick, step, largest))
+            })
+            .collect();
         Self {
             low,
             high,
             ticks,
-            decimals,
+            logarithmic: false,
         }
     }
 
-    /// The label of a tick.
-    pub fn label(&self, tick: f64) -> String {
-        let text = format!("{:.*}", self.decimals, tick);
-        let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
-        if zero { "0".to_owned() } else { text }.replace('-', "−")
+    /// A scale of equal ratios for values from `low` to `high`, both above zero, with at most
+    /// about `count` labels.
+    pub fn logarithmic(low: f64, high: f64, count: usize) -> Self {
+        let well = low > 0.0 && high.is_finite() && low <= high;
+        let (low, high) = if well { (low, high) } else { (1.0, 10.0) };
+        let (mut from, mut to) = (low.log10(), high.log10());
+        if to - from < 0.3 {
+            (from, to) = (from - 0.15, to + 0.15);
+        }
+        let decades = to - from;
+        let (first, last) = ((from - 1e-9).ceil() as i32, (to + 1e-9).floor() as i32);
+        let every = (decades / count.max(1) as f64).ceil().max(1.0) as i32;
+        // Which multiples of powers of ten have a label, for want of whole powers.
+        let labelled: &[i32] = match decades {
+            d if d < 1.3 => &[1, 2, 3, 5, 7],
+            d if d < 2.6 => &[1, 2, 5],
+            _ => &[1],
+        };
+        let mut ticks = Vec::new();
+        for power in first - 1..=last {
+            for multiple in 1..10 {
+                let value = f64::from(multiple) * 10f64.powi(power);
+                let at = value.log10();
+                let is_inside = at >= from - 1e-9 && at <= to + 1e-9;
+                if !is_inside || (decades > 6.0 && multiple > 1) {
+                    continue;
+                }
+                let has_label = labelled.contains(&multiple) && power.rem_euclid(every) == 0;
+                let label = if has_label {
+                    engineering(value)
+                } else {
+                    String::new()
+                };
+                ticks.push((value, label));
+            }
+        }
+        Self {
+            low: from,
+            high: to,
+            ticks,
+            logarithmic: true,
+        }
     }
 
-    /// Where a value lies between the ends: 0 at the lower, 1 at the upper.
+    /// Where a value lies between the ends: 0 at the lower, 1 at the upper; not a number where it
+    /// has no place.
     pub fn share(&self, value: f64) -> f64 {
-        (value - self.low) / (self.high - self.low)
+        let at = match self.logarithmic {
+            true if value > 0.0 => value.log10(),
+            true => return f64::NAN,
+            false => value,
+        };
+        (at - self.low) / (self.high - self.low)
+    }
+}
+
+/// The label of a tick among others that are `step` apart and up to `largest` in size.
+fn tick_label(tick: f64, step: f64, largest: f64) -> String {
+    if tick.abs() < 1e-6 * step {
+        return "0".to_owned();
+    }
+    if largest >= 1e7 || step < 1e-6 {
+        let digits = (largest / step).log10().ceil().clamp(0.0, 14.0) as usize + 1;
+        return number(tick, digits);
+    }
+    let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 12.0) as usize;
+    format!("{tick:.decimals$}").replace('-', "−")
+}
+
+/// A power of ten, or a small multiple of one, with the SI prefix as a letter: `20k`, `5µ`.
+fn engineering(value: f64) -> String {
+    let thousands = (value.log10() / 3.0 + 1e-9).floor() as i32 * 3;
+    match PREFIXES.iter().find(|(power, _)| *power == thousands) {
+        Some((power, prefix)) => format!("{}{prefix}", number(value / 10f64.powi(*power), 3)),
+        None => number(value, 3),
     }
 }
 
@@ -246,13 +323,14 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_few() {
-        let axis = Axis::new(0.0, 175.0, 5, 0.05);
-        assert_eq!(axis.ticks, [0.0, 50.0, 100.0, 150.0]);
-        assert_eq!(axis.label(50.0), "50");
-        let axis = Axis::new(0.0, 1.0, 5, 0.0);
+        let axis = Scale::linear(0.0, 175.0, 5, 0.05);
+        let labels: Vec<_> = axis.ticks.iter().map(|(_, label)| label.as_str()).collect();
+        assert_eq!(labels, ["0", "50", "100", "150"]);
+        let axis = Scale::linear(0.0, 1.0, 5, 0.0);
         assert_eq!(axis.ticks.len(), 6);
-        assert_eq!(axis.label(axis.ticks[1]), "0.2");
-        assert_eq!(axis.label(-0.0), "0");
+        assert_eq!(axis.ticks[1].1, "0.2");
+        let axis = Scale::linear(-1e9, 1e9, 4, 0.0);
+        assert_eq!(axis.ticks[0].1, "−1e9");
     }
 
     #[test]
@@ -263,11 +341,47 @@ mod tests {
             (f64::NAN, 1.0),
             (f64::NEG_INFINITY, 0.0),
             (1e300, 1e300),
+            (f64::MIN, f64::MAX),
+            (0.0, f64::MAX),
+            (5e-324, 5e-324),
+            (0.0, 5e-324),
             (2.0, 1.0),
         ] {
-            let axis = Axis::new(low, high, 5, 0.05);
+            let axis = Scale::linear(low, high, 5, 0.05);
             assert!(axis.low < axis.high, "{low} {high}");
             assert!((2..20).contains(&axis.ticks.len()), "{axis:?}");
         }
+    }
+
+    #[test]
+    fn ratios_get_decades_with_prefixes() {
+        let labels = |low, high| -> Vec<String> {
+            let scale = Scale::logarithmic(low, high, 8);
+            let labels = scale.ticks.into_iter().map(|(_, label)| label);
+            labels.filter(|label| !label.is_empty()).collect()
+        };
+        assert_eq!(labels(10.0, 100e3), ["10", "100", "1k", "10k", "100k"]);
+        assert_eq!(
+            labels(100.0, 2000.0),
+            ["100", "200", "300", "500", "700", "1k", "2k"][..]
+                .iter()
+                .filter(|l| !["300", "700"].contains(l))
+                .copied()
+                .collect::<Vec<_>>()
+        );
+        assert_eq!(labels(1e-6, 1e-3), ["1µ", "10µ", "100µ", "1m"]);
+        for (low, high) in [
+            (0.0, 1.0),
+            (-1.0, 1.0),
+            (f64::NAN, 1.0),
+            (1.0, f64::INFINITY),
+        ] {
+            assert!(!labels(low, high).is_empty(), "{low} {high}");
+        }
+        for (low, high) in [(5e-324, f64::MAX), (3.0, 3.0), (1e-300, 1e300)] {
+            let count = labels(low, high).len();
+            assert!((1..12).contains(&count), "{low} {high} {count}");
+        }
+        assert!(Scale::logarithmic(1.0, 10.0, 8).share(0.0).is_nan());
     }
 }

@@ -5,14 +5,15 @@
 use std::fmt::Write;
 
 use super::labels::Labels;
-use super::layout::{Layout, SlideAt, layout};
+use super::layout::{Layout, SlideAt, extent, layout};
+use super::plot::marker;
 use super::scale;
 use super::strokes::{
     all_finite, bar, bar_square, between, center, coil, head, length, line, minus, normal, polygon,
     shifted, unit,
 };
 use super::svg::pixel;
-use flexure::{Places, Point};
+use crate::assembled::{Places, Point};
 
 const WIDEST: f64 = 760.0;
 const HIGHEST: f64 = 420.0;
@@ -26,40 +27,165 @@ const SLIDE: Point = [54.0, 26.0];
 
 /// The picture as an `svg` element with what is to be said about it, or `None` if there is nothing
 /// to show.
-pub fn mechanism(places: &Places) -> Option<(String, &'static str)> {
-    let layout = layout(places);
-    let view = View::around(&layout)?;
-    let mut picture = Picture {
-        svg: String::new(),
-        labels: Labels::default(),
+pub fn mechanism(places: &Places) -> Option<(String, String)> {
+    let rest = layout(places);
+    let view = View::around(&[&rest])?;
+    let picture = Picture::of(&rest, &rest, &view);
+    let mut paths = String::new();
+    for (look, line) in &picture.paths {
+        let _ = writeln!(paths, "<path {look} d=\"{line}\"/>");
+    }
+    let svg = element(&picture, &paths, &rest, &view, "the mechanism as assembled");
+    Some((svg, said(&rest).to_owned()))
+}
+
+/// The picture in motion: places at instants, of which the first is drawn as assembled. What
+/// moves has its line at every instant in `data-d`, separated by bars, for a script to show.
+/// Displacements are magnified; with the magnification in words.
+pub fn moving(places: &Places, frames: &[Places]) -> Option<(String, String)> {
+    let rest = layout(places);
+    let (size, _) = extent(&all_points(&rest));
+    let largest = largest_displacement(frames);
+    let wanted = VISIBLE * size / largest;
+    let magnification = match wanted {
+        wanted if !rest.to_scale || !wanted.is_finite() || wanted < 2.0 => 1.0,
+        wanted => round_down(wanted),
     };
-    picture.slides(&layout, &view);
-    picture.links(&layout, &view);
-    picture.springs(&layout, &view);
-    picture.contacts(&layout, &view);
-    picture.marks(&layout, &view);
+    let layouts: Vec<Layout> = frames
+        .iter()
+        .map(|frame| moved(&rest, &frames[0], frame, magnification))
+        .collect();
+    let view = View::around(&layouts.iter().chain([&rest]).collect::<Vec<_>>())?;
+    let pictures: Vec<Picture> = layouts
+        .iter()
+        .map(|layout| Picture::of(layout, &rest, &view))
+        .collect();
+    let still = Picture::of(&rest, &rest, &view);
+    let mut paths = String::new();
+    for (index, (look, line)) in still.paths.iter().enumerate() {
+        let lines: Vec<&str> = pictures
+            .iter()
+            .filter_map(|picture| picture.paths.get(index))
+            .map(|(_, line)| line.as_str())
+            .collect();
+        let is_moving = lines.len() == frames.len() && lines.iter().any(|other| other != line);
+        let _ = if is_moving {
+            let lines = lines.join("|");
+            writeln!(paths, "<path {look} d=\"{line}\" data-d=\"{lines}\"/>")
+        } else {
+            writeln!(paths, "<path {look} d=\"{line}\"/>")
+        };
+    }
+    let svg = element(&still, &paths, &rest, &view, "the mechanism in motion");
+    let magnified = match magnification {
+        1.0 => "Displacements are to scale.".to_owned(),
+        times => format!(
+            "Displacements are magnified {} times.",
+            scale::number(times, 6)
+        ),
+    };
+    Some((svg, format!("{} {magnified}", said(&rest))))
+}
+
+const LINK: &str = "class=\"link\"";
+const INK: &str = "class=\"ink\"";
+const THIN: &str = "class=\"thin\"";
+/// How far things move in a picture, as a share of its size.
+const VISIBLE: f64 = 0.09;
+
+/// The next of 1, 2, 5 times a power of ten that is at most `value`.
+fn round_down(value: f64) -> f64 {
+    1.0 / scale::round_step(1.0 / value)
+}
+
+/// The largest displacement of anything from the first frame.
+fn largest_displacement(frames: &[Places]) -> f64 {
+    let points = |places: &Places| -> Vec<Point> {
+        let links = places.links.iter().flat_map(|(_, corners)| corners.clone());
+        let slides = places.slides.iter().filter_map(|(_, at, _)| *at);
+        links.chain(slides).collect()
+    };
+    let Some(first) = frames.first().map(&points) else {
+        return 0.0;
+    };
+    frames
+        .iter()
+        .flat_map(|frame| points(frame).into_iter().zip(&first))
+        .map(|(p, q)| length(minus(p, *q)))
+        .filter(|long| long.is_finite())
+        .fold(0.0, f64::max)
+}
+
+/// The layout with magnified displacements from the `first` places to `now`.
+fn moved(rest: &Layout, first: &Places, now: &Places, times: f64) -> Layout {
+    let by = |p: Point, from: Point, to: Point| shifted(p, minus(to, from), times);
+    let mut layout = rest.clone();
+    for (index, (_, corners)) in layout.links.iter_mut().enumerate() {
+        let ends = first.links[index].1.iter().zip(&now.links[index].1);
+        for (corner, (from, to)) in corners.iter_mut().zip(ends) {
+            *corner = by(*corner, *from, *to);
+        }
+    }
+    let slide = |index: usize, p: Point| match (first.slides[index].1, now.slides[index].1) {
+        (Some(from), Some(to)) => by(p, from, to),
+        _ => p,
+    };
+    for (index, at) in layout.slides.iter_mut().enumerate() {
+        at.at = slide(index, at.at);
+    }
+    for (index, (_, at, _)) in layout.marks.iter_mut().enumerate() {
+        *at = by(*at, first.marks[index].1, now.marks[index].1);
+    }
+    for (index, spring) in layout.springs.iter_mut().enumerate() {
+        for end in 0..2 {
+            let known = (
+                first.springs[index].ends[end].1,
+                now.springs[index].ends[end].1,
+            );
+            spring.ends[end] = match (spring.slides[end], known) {
+                (_, (Some(from), Some(to))) => by(spring.ends[end], from, to),
+                (Some(of), _) => slide(of, spring.ends[end]),
+                _ => spring.ends[end],
+            };
+        }
+    }
+    for (index, contact) in layout.contacts.iter_mut().enumerate() {
+        let ends = first.contacts[index]
+            .ends
+            .iter()
+            .zip(&now.contacts[index].ends);
+        let known = ends.filter_map(|(from, to)| Some((from.1?, to.1?))).next();
+        if let (Some((from, to)), None) = (known, contact.rail_of) {
+            contact.at = by(contact.at, from, to);
+        }
+    }
+    layout
+}
+
+fn element(picture: &Picture, paths: &str, rest: &Layout, view: &View, label: &str) -> String {
     let names = picture.labels.place(view.size);
     let [width, height] = view.size;
-    let bar = if layout.to_scale {
-        scale_bar(&view)
+    let bar = if rest.to_scale {
+        scale_bar(view)
     } else {
         String::new()
     };
-    let svg = format!(
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" style=\"max-width:{0}px\" \
-         role=\"img\" aria-label=\"the mechanism as assembled\">\n{2}{names}{bar}</svg>\n",
+         role=\"img\" aria-label=\"{label}\">\n{paths}{names}{bar}</svg>\n",
         pixel(width),
         pixel(height),
-        picture.svg,
-    );
-    let caption = match (layout.to_scale, layout.fitted) {
+    )
+}
+
+fn said(layout: &Layout) -> &'static str {
+    match (layout.to_scale, layout.fitted) {
         (true, false) => "As assembled, to scale; signs for pins, slides and springs are not.",
         (true, true) => {
             "As assembled, to scale; slides without a place in the model stand beside what they act on."
         }
         (false, _) => "Nothing has a place in this model: arranged by what acts on what.",
-    };
-    Some((svg, caption))
+    }
 }
 
 /// How metres become pixels.
@@ -70,8 +196,12 @@ struct View {
 }
 
 impl View {
-    fn around(layout: &Layout) -> Option<View> {
-        let points = all_points(layout);
+    fn around(layouts: &[&Layout]) -> Option<View> {
+        let layout = layouts.last()?;
+        let points: Vec<Point> = layouts
+            .iter()
+            .flat_map(|layout| all_points(layout))
+            .collect();
         let (low, high) = points.iter().filter(|p| all_finite(&[**p])).fold(
             ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]),
             |(low, high), p| {
@@ -129,11 +259,30 @@ fn all_points(layout: &Layout) -> Vec<Point> {
 }
 
 struct Picture {
-    svg: String,
+    /// What a path looks like (its attributes), and its line.
+    paths: Vec<(&'static str, String)>,
     labels: Labels,
 }
 
 impl Picture {
+    /// The whole mechanism; hatched ground and guides stand where they are at `rest`.
+    fn of(layout: &Layout, rest: &Layout, view: &View) -> Self {
+        let mut picture = Picture {
+            paths: Vec::new(),
+            labels: Labels::default(),
+        };
+        picture.slides(layout, rest, view);
+        picture.links(layout, view);
+        picture.springs(layout, rest, view);
+        picture.contacts(layout, view);
+        picture.marks(layout, view);
+        picture
+    }
+
+    fn path(&mut self, look: &'static str, line: String) {
+        self.paths.push((look, line));
+    }
+
     fn links(&mut self, layout: &Layout, view: &View) {
         for (name, corners) in &layout.links {
             let corners: Vec<Point> = corners.iter().map(|&p| view.at(p)).collect();
@@ -144,7 +293,7 @@ impl Picture {
                 [a, b] => bar(a, b, BAR),
                 _ => polygon(&corners),
             };
-            let _ = writeln!(self.svg, "<path class=\"link\" d=\"{outline}\"/>");
+            self.path(LINK, outline);
             let (first, last) = (corners[0], corners[corners.len() - 1]);
             let across = normal(unit(minus(last, first)));
             let middle = center(&corners);
@@ -159,9 +308,9 @@ impl Picture {
         }
     }
 
-    fn slides(&mut self, layout: &Layout, view: &View) {
-        for slide in &layout.slides {
-            let at = view.at(slide.at);
+    fn slides(&mut self, layout: &Layout, rest: &Layout, view: &View) {
+        for (slide, at_rest) in layout.slides.iter().zip(&rest.slides) {
+            let at = view.at(at_rest.at);
             let along = view.direction(slide.along);
             if !all_finite(&[at, along]) {
                 continue;
@@ -185,29 +334,19 @@ impl Picture {
                     place(u - 3.0, rail_at + side * 7.0),
                 );
             }
-            let _ = writeln!(self.svg, "<path class=\"thin\" d=\"{hatching}\"/>");
-            let _ = writeln!(
-                self.svg,
-                "<path class=\"ink\" d=\"{}\"/>",
-                line(place(-rail, rail_at), place(rail, rail_at))
-            );
+            self.path(THIN, hatching);
+            self.path(INK, line(place(-rail, rail_at), place(rail, rail_at)));
+            let moved = minus(view.at(slide.at), at);
+            let place = |u: f64, v: f64| shifted(place(u, v), moved, 1.0);
             let block = [
                 place(-half, -depth),
                 place(half, -depth),
                 place(half, depth),
                 place(-half, depth),
             ];
-            let _ = writeln!(
-                self.svg,
-                "<path class=\"slide\" d=\"{}\"/>",
-                polygon(&block)
-            );
+            self.path("class=\"slide\"", polygon(&block));
             let (tail, tip) = (place(-half * 0.45, 0.0), place(half * 0.55, 0.0));
-            let _ = writeln!(
-                self.svg,
-                "<path class=\"thin\" d=\"{}\"/>",
-                line(tail, tip) + &head(tail, tip, 5.0)
-            );
+            self.path(THIN, line(tail, tip) + &head(tail, tip, 5.0));
             // The name stands opposite the rail, unless the slide touches something there.
             let (toward, reach) = match slide.touches {
                 Some(_) => (side, depth + 22.0),
@@ -224,8 +363,8 @@ impl Picture {
         }
     }
 
-    fn springs(&mut self, layout: &Layout, view: &View) {
-        for spring in &layout.springs {
+    fn springs(&mut self, layout: &Layout, rest: &Layout, view: &View) {
+        for (spring, at_rest) in layout.springs.iter().zip(&rest.springs) {
             let mut ends = spring.ends.map(|end| view.at(end));
             if !all_finite(&ends) {
                 continue;
@@ -243,12 +382,16 @@ impl Picture {
                 }
             }
             let [a, b] = ends;
+            // As many layers and turns in motion as at rest.
+            let long = length(minus(view.at(at_rest.ends[1]), view.at(at_rest.ends[0])));
+            let layers = ((long / 7.0).round() as usize).clamp(2, 40);
+            let turns = ((0.7 * long).min(110.0) / 8.0).round().clamp(4.0, 12.0) as i32;
             let toward = minus(b, a);
             if toward[0] * along[0] + toward[1] * along[1] > 14.0 {
                 if spring.stack {
-                    self.stack(a, b);
+                    self.stack(a, b, layers);
                 } else {
-                    let _ = writeln!(self.svg, "<path class=\"spring\" d=\"{}\"/>", coil(a, b));
+                    self.path("class=\"spring\"", coil(a, b, turns));
                 }
                 for k in 1..8 {
                     self.labels.avoid(between(a, b, f64::from(k) / 8.0), 8.0);
@@ -275,30 +418,25 @@ impl Picture {
             let q = shifted(shifted(p, outward, 7.0), across, -5.0);
             hatching += &line(p, q);
         }
-        let _ = writeln!(
-            self.svg,
-            "<path class=\"thin\" d=\"{hatching}\"/><path class=\"ink\" d=\"{}\"/>",
-            line(shifted(at, across, -half), shifted(at, across, half))
+        self.path(THIN, hatching);
+        self.path(
+            INK,
+            line(shifted(at, across, -half), shifted(at, across, half)),
         );
         self.labels.avoid(shifted(at, outward, 3.0), half);
     }
 
     /// A ceramic: a block of layers between its ends.
-    fn stack(&mut self, a: Point, b: Point) {
-        let long = length(minus(b, a));
+    fn stack(&mut self, a: Point, b: Point, layers: usize) {
         let outline = bar_square(a, b, 9.0);
-        let _ = writeln!(self.svg, "<path class=\"piezo\" d=\"{outline}\"/>");
-        let layers = ((long / 7.0).round() as usize).clamp(2, 40);
+        self.path("class=\"piezo\"", outline);
         let across = normal(unit(minus(b, a)));
         let mut strokes = String::new();
         for k in 1..layers {
             let p = between(a, b, k as f64 / layers as f64);
             strokes += &line(shifted(p, across, -9.0), shifted(p, across, 9.0));
         }
-        let _ = writeln!(
-            self.svg,
-            "<path class=\"piezo\" style=\"stroke-width:0.8\" d=\"{strokes}\"/>"
-        );
+        self.path("class=\"piezo\" style=\"stroke-width:0.8\"", strokes);
     }
 
     fn contacts(&mut self, layout: &Layout, view: &View) {
@@ -313,13 +451,8 @@ impl Picture {
                 at = shifted(at, across, side * (SLIDE[1] / 2.0 + 17.0));
             }
             let (back, front) = (shifted(at, along, -17.0), shifted(at, along, 17.0));
-            let _ = writeln!(
-                self.svg,
-                "<path class=\"contact\" d=\"{}{}{}\"/>",
-                line(back, front),
-                head(back, front, 6.0),
-                head(front, back, 6.0)
-            );
+            let heads = head(back, front, 6.0) + &head(front, back, 6.0);
+            self.path("class=\"contact\"", line(back, front) + &heads);
             self.labels.avoid(at, 7.0);
             self.labels.avoid(back, 5.0);
             self.labels.avoid(front, 5.0);
@@ -341,34 +474,17 @@ impl Picture {
                     let u = x - half - 1.0 + f64::from(k) * (2.0 * half + 2.0) / 5.0;
                     hatching += &line([u + 2.5, base], [u - 3.5, base + 7.0]);
                 }
-                let _ = writeln!(
-                    self.svg,
-                    "<path class=\"ink\" style=\"fill:var(--paper)\" d=\"M{0} {1}L{2} {3}H{4}Z\"/>\
-                     <path class=\"ink\" d=\"M{5} {3}H{6}\"/><path class=\"thin\" d=\"{hatching}\"/>",
-                    pixel(x),
-                    pixel(y),
-                    pixel(x - 9.0),
-                    pixel(base),
-                    pixel(x + 9.0),
-                    pixel(x - half - 3.0),
-                    pixel(x + half + 3.0),
-                );
+                let foot = [[x, y], [x - 9.0, base], [x + 9.0, base]];
+                self.path("class=\"ink\" style=\"fill:var(--paper)\"", polygon(&foot));
+                let ends = [x - half - 3.0, x + half + 3.0].map(|x| [x, base]);
+                self.path(INK, line(ends[0], ends[1]));
+                self.path(THIN, hatching);
                 self.labels.avoid([x, base], 12.0);
             }
-            let _ = match pin {
-                Some(_) => writeln!(
-                    self.svg,
-                    "<circle class=\"pin\" cx=\"{}\" cy=\"{}\" r=\"4.6\"/>",
-                    pixel(x),
-                    pixel(y)
-                ),
-                None => writeln!(
-                    self.svg,
-                    "<circle cx=\"{}\" cy=\"{}\" r=\"2.8\" style=\"fill:var(--ink)\"/>",
-                    pixel(x),
-                    pixel(y)
-                ),
-            };
+            match pin {
+                Some(_) => self.path("class=\"pin\"", marker(0, at, 4.6)),
+                None => self.path("style=\"fill:var(--ink)\"", marker(0, at, 2.8)),
+            }
             self.labels.avoid(at, 5.0);
             self.labels.add(name, false, at, [0.7, -0.7], 13.0);
         }
@@ -418,7 +534,7 @@ mod tests {
             marks: vec![("<O1>".to_owned(), [0.0, 0.0], Some(true))],
             ..Places::default()
         };
-        let view = View::around(&layout(&places)).unwrap();
+        let view = View::around(&[&layout(&places)]).unwrap();
         let [a, b] = [view.at([0.0, 0.0]), view.at([0.03, 0.01])];
         assert!(((b[0] - a[0]) / (a[1] - b[1]) - 3.0).abs() < 1e-9);
         let (svg, caption) = mechanism(&places).unwrap();
@@ -443,5 +559,33 @@ mod tests {
         };
         let (svg, _) = mechanism(&broken).unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+
+    #[test]
+    fn displacements_are_magnified_by_a_round_number() {
+        let frame = |by: f64| Places {
+            links: vec![("arm".to_owned(), vec![[0.0, 0.0], [by, 0.02]])],
+            marks: vec![("O".to_owned(), [0.0, 0.0], Some(true))],
+            slides: vec![("stage".to_owned(), Some([0.01 + by, 0.03]), [1.0, 0.0])],
+            ..Places::default()
+        };
+        let frames = [frame(0.0), frame(7e-6), frame(-7e-6)];
+        let (svg, caption) = moving(&frame(0.0), &frames).unwrap();
+        // 9 % of 30 mm are 386 times 7 µm.
+        assert!(caption.contains("magnified 200 times"), "{caption}");
+        // The arm, the slide's block and its arrow move; pin, ground and guide stand still.
+        assert_eq!(svg.matches("data-d=").count(), 3, "{svg}");
+        let arm = svg
+            .lines()
+            .find(|line| line.contains("class=\"link\""))
+            .unwrap();
+        let frames = arm.split("data-d=\"").nth(1).unwrap();
+        assert_eq!(frames.split('|').count(), 3, "{arm}");
+        let still = [frame(0.0), frame(0.0)];
+        let (svg, caption) = moving(&frame(0.0), &still).unwrap();
+        assert!(
+            !svg.contains("data-d") && caption.contains("to scale"),
+            "{caption}"
+        );
     }
 }
