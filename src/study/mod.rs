@@ -28,7 +28,7 @@
 //!     }
 //!     std::ops::ControlFlow::Continue(())
 //! });
-//! # Ok::<(), flexure::runtime::diagnostic::Diagnostic>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod axis;
